@@ -5,8 +5,6 @@ the field file allows, `draw` makes one picture, `DrawnShot` a shot of many that
 be cut. The same arguments give the same pixels.
 """
 
-from __future__ import annotations
-
 import math
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -21,7 +19,7 @@ import numpy as np
 
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.camera.models import PinholeCamera
-from procc_annotator.field.geometry import Arc, Circle, Line, parts_of, points_at_angles
+from procc_annotator.field.geometry import Arc, Line, parts_of, points_at_angles
 from procc_annotator.field.load import load_field, with_lines
 from procc_annotator.field.model import (
     BLACK,
@@ -139,7 +137,6 @@ def _bar(part: Any, width_m: float, colour: tuple[int, int, int]) -> Any:
     if isinstance(part, Line):
         places = np.array([part.start, part.end])
     else:
-        assert isinstance(part, Arc | Circle)
         first, last = (part.start_rad, part.end_rad) if isinstance(part, Arc) else (0.0, math.tau)
         places = points_at_angles(part, np.linspace(first, last, 40))
     middle = places.mean(axis=0)
@@ -173,7 +170,6 @@ def random_camera(
     """A camera that the field file allows and that has at least four elements in sight, in px of
     ``size``; where the field looks the same from the other side, on that of the main camera."""
     camera = Views(field).random(rng).camera
-    assert isinstance(camera, PinholeCamera)
     x, y, z = camera.position_world
     half_turn = any(abs(turn.turn_rad - math.pi) < 1e-6 for turn in field.symmetries)
     if half_turn and y < 0:

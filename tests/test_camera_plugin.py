@@ -1,7 +1,5 @@
 """The example plug-in, built, installed and used by the real command line; and broken ones."""
 
-from __future__ import annotations
-
 import csv
 import math
 import os
@@ -93,13 +91,12 @@ def divided(camera: PinholeCamera) -> str:
     return "# a comment\n" + "\n".join(lines) + "\n"
 
 
-def test_the_example_scores_as_the_same_camera_does(installed, sample_data, tmp_path) -> None:
+def test_the_example_scores_as_the_same_camera_does(installed, sample_data, tmp_path):
     pinhole = sample_data / "cameras" / "pinhole"
     theirs = tmp_path / "division"
     theirs.mkdir()
     for file in pinhole.glob("camera_*.json"):
         camera = read_camera_file(file.read_bytes(), path=file.name).camera
-        assert isinstance(camera, PinholeCamera)
         assert not camera.is_distorted
         (theirs / f"{file.stem}.division").write_text(divided(camera))
     found = {}
@@ -119,7 +116,7 @@ def test_the_example_scores_as_the_same_camera_does(installed, sample_data, tmp_
     assert found["named"] == found["auto"] == found["own"]
 
 
-def test_a_damaged_file_of_the_plugin_is_one_line(installed, sample_data, tmp_path) -> None:
+def test_a_damaged_file_of_the_plugin_is_one_line(installed, sample_data, tmp_path):
     frame = sorted(sample_data.glob("*.json"))[0].stem
     (tmp_path / f"{frame}.division").write_text("focal = wide\n")
     done = run(
@@ -130,7 +127,7 @@ def test_a_damaged_file_of_the_plugin_is_one_line(installed, sample_data, tmp_pa
     assert "Traceback" not in done.stderr
 
 
-def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(tmp_path, sample_data) -> None:
+def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(tmp_path, sample_data):
     site = broken_plugin(tmp_path / "site", "broken_lens:FORMAT", "import absent_module")
     done = run(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
     assert done.returncode == 0, done.stderr
@@ -164,7 +161,7 @@ def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(tmp_path, sampl
 )
 def test_a_plugin_gone_wrong_is_one_line_and_the_program_goes_on(
     tmp_path, sample_data, value, code, said
-) -> None:
+):
     site = broken_plugin(tmp_path / "site", value, code)
     done = run_here(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
     assert done.exit_code == 0, done.stderr
@@ -184,9 +181,7 @@ def test_a_plugin_gone_wrong_is_one_line_and_the_program_goes_on(
         ("return LoadedCamera(Lens(lambda p: p), 'mine')", "cannot be read by the plug-in 'brok"),
     ],
 )
-def test_a_plugins_reader_gone_wrong_is_an_unreadable_camera(
-    tmp_path, sample_data, body, said
-) -> None:
+def test_a_plugins_reader_gone_wrong_is_an_unreadable_camera(tmp_path, sample_data, body, said):
     code = (
         "from procc_annotator.formats.cameras.registry import CameraFormat\n"
         "from procc_annotator.formats.cameras.loaded_camera import LoadedCamera\n"

@@ -1,7 +1,5 @@
 """Drawn shots are what their cameras say: paint lies under the projected field."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import cv2
@@ -29,7 +27,7 @@ def _lighter_by(stage: Stage, picture: np.ndarray, camera: object) -> float:
 
 
 @pytest.mark.parametrize("name", ["soccer", "tennis"])
-def test_paint_lies_under_the_true_projection(name) -> None:
+def test_paint_lies_under_the_true_projection(name):
     stage, rng = stage_of(name), np.random.default_rng(1)
     for seed in (1, 2, 3):
         camera = random_camera(stage.field, rng, SIZE)
@@ -37,14 +35,14 @@ def test_paint_lies_under_the_true_projection(name) -> None:
         assert _lighter_by(stage, picture, camera) > 20
 
 
-def test_a_frame_is_the_same_each_time_and_blur_keeps_its_place() -> None:
+def test_a_frame_is_the_same_each_time_and_blur_keeps_its_place():
     shot = soccer_shot(60, size=SIZE, look=NOBODY)
     blurred = replace(shot, look=replace(NOBODY, shutter=0.5))
     assert np.array_equal(shot.frame(4), shot.frame(4))
     assert _lighter_by(shot.stage, blurred.frame(9), shot.cameras[9]) > 10
 
 
-def test_a_cut_begins_another_shot() -> None:
+def test_a_cut_begins_another_shot():
     shot = drawn_shots.cut_shot(10, size=SIZE)
     assert shot.shots == ((0, 4), (5, 9))
     assert shot.cameras[4].pan_rad < 0 < shot.cameras[5].pan_rad

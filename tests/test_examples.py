@@ -1,7 +1,5 @@
 """What the documentation shows runs as it stands."""
 
-from __future__ import annotations
-
 import importlib.util
 import os
 import re
@@ -24,7 +22,7 @@ def run(*arguments: str | Path) -> str:
     return done.stdout
 
 
-def test_the_example_fits_and_scores_the_sample_data(tmp_path) -> None:
+def test_the_example_fits_and_scores_the_sample_data(tmp_path):
     printed = run("docs/examples/fit_and_score.py", "--cameras", tmp_path, "--tau", "2")
     rows = {line.split()[0]: line for line in printed.splitlines()[1:]}
     annotated = {p.stem for p in (ROOT / "sample_data").glob("*.json")}
@@ -36,7 +34,7 @@ def test_the_example_fits_and_scores_the_sample_data(tmp_path) -> None:
     assert "JaC" in run("-m", "procc_annotator", "evaluate", "sample_data", tmp_path, "-t", "2")
 
 
-def test_the_example_says_what_is_missing(tmp_path) -> None:
+def test_the_example_says_what_is_missing(tmp_path):
     done = subprocess.run(
         [sys.executable, "docs/examples/fit_and_score.py", str(tmp_path)],
         cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
@@ -46,7 +44,7 @@ def test_the_example_says_what_is_missing(tmp_path) -> None:
     assert "no annotation" in done.stderr
 
 
-def test_python_of_the_readme() -> None:
+def test_python_of_the_readme():
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
     assert blocks
     for block in blocks:
@@ -55,7 +53,7 @@ def test_python_of_the_readme() -> None:
         assert "pan is known to" in printed
 
 
-def test_the_example_goes_on_past_damaged_files(tmp_path) -> None:
+def test_the_example_goes_on_past_damaged_files(tmp_path):
     good = (ROOT / "sample_data" / "00002.json").read_bytes()
     for name, content in (("1", b"{"), ("2", good), ("3", b"[]"), ("camera_2", b"{}")):
         (tmp_path / f"{name}.json").write_bytes(content)
@@ -70,7 +68,7 @@ def test_the_example_goes_on_past_damaged_files(tmp_path) -> None:
     assert ["unreadable" in line for line in lines] == [True, False, True]
 
 
-def test_the_example_to_copy_runs(tmp_path) -> None:
+def test_the_example_to_copy_runs(tmp_path):
     printed = run("docs/examples/judge_a_camera.py", tmp_path)
     assert re.search(r"JaC@5 0\.\d+, completeness", printed), printed
     assert re.search(r"between 0\.\d+ and [01]\.\d+ in 95 of 100", printed), printed
@@ -81,12 +79,12 @@ def test_the_example_to_copy_runs(tmp_path) -> None:
     assert told in printed.splitlines()[-1] + printed
 
 
-def test_python_of_its_page_runs() -> None:
+def test_python_of_its_page_runs():
     first, *_ = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.DOTALL)
     assert "soccernet" in run("-c", first)
 
 
-def test_type_checkers_understand_what_uses_the_package(tmp_path) -> None:
+def test_type_checkers_understand_what_uses_the_package(tmp_path):
     """As a program of somebody else: what is public is typed, and mistakes are found."""
     (tmp_path / "uses.py").write_text(
         "import numpy as np\n"

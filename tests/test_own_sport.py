@@ -1,7 +1,5 @@
 """The guide "A sport of your own" works to the letter: its blocks are run as they stand."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 from collections.abc import Iterator
@@ -47,7 +45,7 @@ def run(line: str) -> str:
     return done.stdout
 
 
-def test_padel_from_an_empty_file_to_a_score(tmp_path, monkeypatch) -> None:
+def test_padel_from_an_empty_file_to_a_score(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("COLUMNS", raising=False)
     printed, seen = "", []
@@ -72,7 +70,7 @@ def test_padel_from_an_empty_file_to_a_score(tmp_path, monkeypatch) -> None:
     assert "padel" not in field_names()
 
 
-def test_the_mistake_of_the_guide_is_told_as_the_guide_says(tmp_path) -> None:
+def test_the_mistake_of_the_guide_is_told_as_the_guide_says(tmp_path):
     path = tmp_path / "padel.toml"
     text = "\n".join(block.text for block in blocks(WALK) if block.kind == "toml")
     path.write_text(text.replace('end = ["-service_line"', 'end = ["-sevice_line"', 1))
@@ -83,7 +81,7 @@ def test_the_mistake_of_the_guide_is_told_as_the_guide_says(tmp_path) -> None:
         assert words.replace("\n", " ") in done.stderr
 
 
-def test_every_example_of_the_reference_can_be_read(tmp_path) -> None:
+def test_every_example_of_the_reference_can_be_read(tmp_path):
     found = "\n".join(block.text for block in blocks(WALK) if block.kind == "toml")
     found = found.replace("symmetries = [180]", "symmetries = []")
     examples = [block for block in blocks(REFERENCE) if block.kind == "toml"]
@@ -98,7 +96,7 @@ def test_every_example_of_the_reference_can_be_read(tmp_path) -> None:
     assert border.inside == (0.0, 10.0, 0.0)
 
 
-def test_the_reference_names_every_key() -> None:
+def test_the_reference_names_every_key():
     named = set(re.findall(r"`\[*([a-z_]+)\]*`", REFERENCE))
     kinds = element_reader.GEOMETRY_KEYS
     keys = {key for needed, more in kinds.values() for key in (*needed, *more)} | set(kinds)

@@ -1,7 +1,5 @@
 """The example detector, built, installed and used by the real command line; and broken ones."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -90,9 +88,7 @@ def run_here(site: Path, *arguments: object) -> Result:
             sys.modules.pop("my_detector", None)
 
 
-def test_the_example_is_used_in_worker_processes_too(
-    installed, match, sample_data, tmp_path
-) -> None:
+def test_the_example_is_used_in_worker_processes_too(installed, match, sample_data, tmp_path):
     known = sample_data / "cameras" / "true" / "camera_00004.json"  # which is found sooner
     (match / "00005.jpg").write_bytes((match / "00004.jpg").read_bytes())
     out = tmp_path / "out"
@@ -111,7 +107,7 @@ def test_the_example_is_used_in_worker_processes_too(
     assert camera_in(out, "00004") == camera_in(out, "00005")
 
 
-def test_what_a_detector_says_is_made_right_on_the_paint(match, alone, tmp_path) -> None:
+def test_what_a_detector_says_is_made_right_on_the_paint(match, alone, tmp_path):
     """A camera 2 m beside the true one, which looks elsewhere."""
     code = (
         "from tests.drawn_shots import looking_at\n"
@@ -126,7 +122,7 @@ def test_what_a_detector_says_is_made_right_on_the_paint(match, alone, tmp_path)
     assert helped["position_meters"] == pytest.approx(found["position_meters"], abs=0.5)
 
 
-def test_labelled_points_become_a_camera(sample_data, match, tmp_path) -> None:
+def test_labelled_points_become_a_camera(sample_data, match, tmp_path):
     code = (
         "from procc_annotator import load_annotation\n"
         f"FOUND = load_annotation({str(sample_data / '00004.json')!r})\n"
@@ -155,7 +151,7 @@ def test_labelled_points_become_a_camera(sample_data, match, tmp_path) -> None:
         ("PROPOSER = PictureProposer('mine', 'x', lambda p, f: None)", "TypeError"),
     ],
 )
-def test_a_detector_gone_wrong_is_one_line(match, tmp_path, code, said) -> None:
+def test_a_detector_gone_wrong_is_one_line(match, tmp_path, code, said):
     site = with_plugin(tmp_path / "site", code)
     done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 2
@@ -163,13 +159,13 @@ def test_a_detector_gone_wrong_is_one_line(match, tmp_path, code, said) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_no_detector_of_that_name(match, tmp_path) -> None:
+def test_no_detector_of_that_name(match, tmp_path):
     done = run_here(tmp_path, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 2
     assert "--detector mine: no such proposer (none is installed)" in done.stderr
 
 
-def test_a_detector_that_sees_nothing_leaves_the_search_as_it_is(match, alone, tmp_path) -> None:
+def test_a_detector_that_sees_nothing_leaves_the_search_as_it_is(match, alone, tmp_path):
     code = "PROPOSER = PictureProposer('mine', 'x', lambda p, f: [FrameAnnotation(())])"
     site = with_plugin(tmp_path / "site", code)
     done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")

@@ -1,7 +1,5 @@
 """The samples are drawn from known cameras, the same on every run, and hold every overlay state."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import re
@@ -45,12 +43,12 @@ INDOORS = ("basketball_fiba", "volleyball", "ice_hockey_iihf")
 SPORTS = (SOCCER, *INDOORS)
 
 
-def test_all_sports_are_there(maker) -> None:
+def test_all_sports_are_there(maker):
     assert tuple(maker.SPORTS) == SPORTS
 
 
 @pytest.mark.parametrize("name", SPORTS)
-def test_it_is_small_and_looks_like_a_dataset(maker, sample_data, name) -> None:
+def test_it_is_small_and_looks_like_a_dataset(maker, sample_data, name):
     sport = maker.SPORTS[name]
     folder = sample_data / sport.folder
     pictures = sorted(folder.glob("*.jpg"))
@@ -64,13 +62,13 @@ def test_it_is_small_and_looks_like_a_dataset(maker, sample_data, name) -> None:
     assert {p.name for p in (folder / "cameras").iterdir()} == set(sport.sets)
 
 
-def test_all_of_them_together_are_small(sample_data) -> None:
+def test_all_of_them_together_are_small(sample_data):
     files = [p for p in sample_data.rglob("*") if p.is_file() and "__pycache__" not in p.parts]
     assert sum(p.stat().st_size for p in files) < 6e6
 
 
 @pytest.mark.parametrize("name", SPORTS)
-def test_a_dataset_says_which_field_it_shows(maker, sample_data, name) -> None:
+def test_a_dataset_says_which_field_it_shows(maker, sample_data, name):
     found = field_of_dataset(sample_data / maker.SPORTS[name].folder)
     assert found.field.name == name
     assert found.field.elements == load_field(name).elements
@@ -78,7 +76,7 @@ def test_a_dataset_says_which_field_it_shows(maker, sample_data, name) -> None:
 
 
 @pytest.mark.parametrize("name", SPORTS)
-def test_drawing_again_gives_the_same(maker, sample_data, tmp_path, name) -> None:
+def test_drawing_again_gives_the_same(maker, sample_data, tmp_path, name):
     sport = maker.SPORTS[name]
     maker.write_field(sport, tmp_path)
     for view in sport.views:
@@ -116,7 +114,7 @@ def shown_yards(yards_from_image: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize(
     ("name", "number"), [(SOCCER, 10), pytest.param("volleyball", 3, marks=pytest.mark.soak)]
 )
-def test_a_picture_drawn_again_is_the_same_picture(maker, sample_data, name, number) -> None:
+def test_a_picture_drawn_again_is_the_same_picture(maker, sample_data, name, number):
     sport = maker.SPORTS[name]
     view = sport.views[number]
     stored = cv2.imread(str(sample_data / sport.folder / f"{view.name}.jpg")).astype(float)
@@ -124,7 +122,7 @@ def test_a_picture_drawn_again_is_the_same_picture(maker, sample_data, name, num
 
 
 @pytest.mark.parametrize("name", SPORTS)
-def test_golden_scores(maker, name) -> None:
+def test_golden_scores(maker, name):
     golden = json.loads(GOLDEN.read_text())[name]
     found = maker.scores(maker.SPORTS[name])
     assert found.keys() == golden.keys()
@@ -134,7 +132,7 @@ def test_golden_scores(maker, name) -> None:
 
 
 @pytest.mark.parametrize("name", INDOORS)
-def test_every_camera_set_has_a_fault_of_its_own(maker, name) -> None:
+def test_every_camera_set_has_a_fault_of_its_own(maker, name):
     golden = json.loads(GOLDEN.read_text())[name]
     found = {source: protocols["procc"] for source, protocols in golden.items()}
     assert found["true"]["2"] == 1.0
@@ -148,9 +146,7 @@ def test_every_camera_set_has_a_fault_of_its_own(maker, name) -> None:
 
 
 @pytest.mark.parametrize("name", SPORTS)
-def test_the_true_cameras_are_right_and_the_bad_ones_show_every_state(
-    maker, sample_data, name
-) -> None:
+def test_the_true_cameras_are_right_and_the_bad_ones_show_every_state(maker, sample_data, name):
     sport = maker.SPORTS[name]
     folder, field = sample_data / sport.folder, sport.field
     workspace = Workspace.open(folder, field)
@@ -173,7 +169,7 @@ def test_the_true_cameras_are_right_and_the_bad_ones_show_every_state(
         assert "missed" in states["homography"]
 
 
-def test_lines_are_where_the_true_camera_puts_them(maker, sample_data) -> None:
+def test_lines_are_where_the_true_camera_puts_them(maker, sample_data):
     """White paint lies on the projected halfway line, grass beside it."""
     view = maker.SPORTS[SOCCER].views[0]
     picture = cv2.imread(str(sample_data / f"{view.name}.jpg")).astype(float)
@@ -201,7 +197,7 @@ def _middle_of_paint(element: Element, places: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", SPORTS)
-def test_every_frame_is_painted_where_its_true_camera_says(maker, sample_data, name) -> None:
+def test_every_frame_is_painted_where_its_true_camera_says(maker, sample_data, name):
     """Across each ground line the paint's middle lies on the projection, distortion included."""
     sport = maker.SPORTS[name]
     samples = sample_evenly(sport.field, 0.25)
@@ -251,7 +247,7 @@ def test_every_frame_is_painted_where_its_true_camera_says(maker, sample_data, n
         assert np.median(offsets) < 0.1, view.name
 
 
-def test_the_rim_hangs_in_the_air_where_the_true_camera_puts_it(maker, sample_data) -> None:
+def test_the_rim_hangs_in_the_air_where_the_true_camera_puts_it(maker, sample_data):
     """Orange is seen all around the projected ring, a hand's breadth higher it is not."""
     sport = maker.SPORTS["basketball_fiba"]
     for number, rim in ((1, "Rim left"), (2, "Rim right"), (3, "Rim right")):
@@ -268,7 +264,7 @@ def test_the_rim_hangs_in_the_air_where_the_true_camera_puts_it(maker, sample_da
         assert seen[0] > 40 > 15 > seen[1], view.name
 
 
-def test_no_false_line_runs_through_the_grass(maker, sample_data) -> None:
+def test_no_false_line_runs_through_the_grass(maker, sample_data):
     """The noise repeats without a seam: along the pitch's axis nothing looks painted."""
     view = maker.SPORTS[SOCCER].views[8]
     picture = cv2.imread(str(sample_data / f"{view.name}.jpg")).astype(np.float32).mean(axis=2)
@@ -282,7 +278,7 @@ def test_no_false_line_runs_through_the_grass(maker, sample_data) -> None:
     assert abs(brightness(0.12) - brightness(-0.12)) < 3.0
 
 
-def test_it_draws_into_a_new_folder(maker, tmp_path, monkeypatch) -> None:
+def test_it_draws_into_a_new_folder(maker, tmp_path, monkeypatch):
     monkeypatch.setattr(maker, "draw", lambda *_: np.zeros((720, 1280, 3), np.uint8))
     folder = tmp_path / "a" / "b"
     arguments = [

@@ -1,7 +1,5 @@
 """The wheel carries everything: it runs outside the repository."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -42,12 +40,12 @@ def run(installed: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_the_wheel_is_what_runs(installed) -> None:
+def test_the_wheel_is_what_runs(installed):
     where = run(installed, "-c", "import procc_annotator; print(procc_annotator.__file__)")
     assert Path(where.stdout.strip()).is_relative_to(installed)
 
 
-def test_the_wheel_brings_the_guide_and_its_icons(installed) -> None:
+def test_the_wheel_brings_the_guide_and_its_icons(installed):
     code = (
         "from procc_annotator.gui.window.guide import guide_folder;"
         "from procc_annotator.resources import resources_dir;"
@@ -60,7 +58,7 @@ def test_the_wheel_brings_the_guide_and_its_icons(installed) -> None:
     assert icon.is_file()
 
 
-def test_the_wheel_writes_a_report(installed, sample_data) -> None:
+def test_the_wheel_writes_a_report(installed, sample_data):
     out = installed.parent / "report.html"
     done = run(
         installed, "-m", "procc_annotator", "report", str(sample_data), "-o", str(out),
@@ -70,7 +68,7 @@ def test_the_wheel_writes_a_report(installed, sample_data) -> None:
     assert "<h2>Definitions</h2>" in out.read_text(encoding="utf-8")
 
 
-def test_the_wheel_has_the_sample_and_nothing_that_draws_it(installed, sample_data) -> None:
+def test_the_wheel_has_the_sample_and_nothing_that_draws_it(installed, sample_data):
     own = installed / "procc_annotator" / "_sample_data"
     there = {str(path.relative_to(own)) for path in own.rglob("*") if path.is_file()}
     suffixes = {".jpg", ".json", ".toml", ".homographyMatrix"}

@@ -1,7 +1,5 @@
 """Benchmarks take as long as they take: none of them hangs for being slow."""
 
-from __future__ import annotations
-
 import faulthandler
 
 import pytest

@@ -4,8 +4,6 @@ Every element of World Cup 2014 is left out in turn; its points are to lie withi
 deviations of where the fit to the others shows it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
@@ -31,7 +29,7 @@ FRAME = ImageFrame((960, 540))
 @pytest.mark.parametrize(
     ("model", "least"), [("R", 0.9), ("R+", 0.9), ("auto", 0.9), ("H", 0.85), ("P", 0.8)]
 )
-def test_held_out_points_in_their_bands(benchmark, world_cup, model, least) -> None:
+def test_held_out_points_in_their_bands(benchmark, world_cup, model, least):
     def run() -> dict[str, float]:
         shares: dict[str, list[FloatArray]] = {"clicks": [], "camera": [], "ghost": []}
         for annotation in world_cup:

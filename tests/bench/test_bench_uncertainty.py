@@ -1,7 +1,5 @@
 """What an uncertainty map costs: run with ``pytest tests/bench --benchmark-only``."""
 
-from __future__ import annotations
-
 import time
 
 import pytest
@@ -16,7 +14,7 @@ LIMIT_S = 0.040
 
 
 @pytest.mark.parametrize("model", ["H", "R", "R+"])
-def test_map_with_its_shapes(benchmark, sample_data, model) -> None:
+def test_map_with_its_shapes(benchmark, sample_data, model):
     path = sample_data / "00002.json"
     annotation = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
     fit = fit_camera(annotation, FIELD, model=model, size=(1280, 720))

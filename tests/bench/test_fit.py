@@ -1,7 +1,5 @@
 """What fits reach and cost on the World Cup set: ``pytest tests/bench --benchmark-only -s``."""
 
-from __future__ import annotations
-
 import time
 
 import numpy as np
@@ -28,7 +26,7 @@ FLOORS = {
 
 
 @pytest.mark.parametrize("model", FLOORS)
-def test_fit_every_frame(benchmark, world_cup, model) -> None:
+def test_fit_every_frame(benchmark, world_cup, model):
     """JaC of fitted cameras at 2 and 5 px, and processor time of a cold and a warm fit."""
 
     def run() -> tuple[list[tuple[float, float]], list[float], list[float]]:
@@ -59,7 +57,7 @@ def test_fit_every_frame(benchmark, world_cup, model) -> None:
 
 
 @pytest.mark.parametrize("model", ["P", "R", "R+", "auto"])
-def test_held_out_elements(benchmark, world_cup, model) -> None:
+def test_held_out_elements(benchmark, world_cup, model):
     """How far the points of elements are off that the fit has not seen, each left out in turn."""
     frame = ImageFrame((960, 540))
 

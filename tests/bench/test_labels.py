@@ -4,8 +4,6 @@ Labels of real frames of at least six elements are made wrong at random; finding
 count, element by element.
 """
 
-from __future__ import annotations
-
 import time
 from typing import Any
 
@@ -34,7 +32,7 @@ FLOORS = {
 
 
 @pytest.mark.parametrize("kind", FLOORS)
-def test_injected_mistakes(benchmark, world_cup, injected_mistakes, kind) -> None:
+def test_injected_mistakes(benchmark, world_cup, injected_mistakes, kind):
     """Recall, precision, right suggestions, and milliseconds of a check that finds something."""
 
     def run() -> list[Any]:
@@ -52,7 +50,7 @@ def test_injected_mistakes(benchmark, world_cup, injected_mistakes, kind) -> Non
 
 
 @pytest.mark.parametrize("reflected", [False, True])
-def test_whole_frames(benchmark, world_cup, reflected) -> None:
+def test_whole_frames(benchmark, world_cup, reflected):
     """Frames with a finding of each severity, as they are and with far and near exchanged."""
     names = mirrored_names(FIELD, MIRROR_Y) if reflected else {}
     assert names is not None

@@ -4,8 +4,6 @@ client.py datumaro-read FORMAT PATH | datumaro-write FORMAT PATH NEW_FORMAT OUT
           labelme-read FOLDER | labelme-write FOLDER OUT | pandas FILE | duckdb FILE
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import warnings

@@ -1,7 +1,5 @@
 """Over ten frames of a real clip copies stay on their paint and keep their bends."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -36,7 +34,7 @@ def copied(before: TruthFrame, after: TruthFrame, clip: Path) -> tuple[list[Poly
     return list(lines), set(unseen)
 
 
-def test_ten_copies(shared_data) -> None:
+def test_ten_copies(shared_data):
     """Dark lines on wood, players on many of them, a three-point line and a free-throw circle."""
     frames = {f.number: f for f in truth_frames() if f.clip == "basketball_nba"}
     before, after = frames[40], frames[60]

@@ -1,7 +1,5 @@
 """Cameras of basketball courts are found again from what they show of the court."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -20,14 +18,14 @@ def cameras(shared_data) -> list[Camera]:
 
 
 @pytest.mark.parametrize("every", [24, pytest.param(6, marks=pytest.mark.soak)])
-def test_cameras_are_found_again(cameras, every) -> None:
+def test_cameras_are_found_again(cameras, every):
     """Some; of all of them 97 % within 5 px, see `tests/bench/sports`."""
     errors, jacs = fitted_back(VIEWS, cameras[::every], "R+")
     assert np.mean(errors <= 5) >= 0.95
     assert np.mean(jacs) >= 0.95
 
 
-def test_a_fit_goes_on_from_that_of_a_picture_cut_out(cameras) -> None:
+def test_a_fit_goes_on_from_that_of_a_picture_cut_out(cameras):
     """The next click finds the principal point where it was."""
     camera = max(cameras[::8], key=lambda c: abs(c.principal_point_px[0] - 479.5) * c.focal_px[0])
     annotation = VIEWS.clicks(camera, np.random.default_rng(3))

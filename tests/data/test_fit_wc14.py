@@ -1,7 +1,5 @@
 """What fits reach on real annotations: scored on the points they were fitted to, and on others."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -37,7 +35,7 @@ def on_the_ground(annotation: FrameAnnotation) -> FrameAnnotation:
         ("auto", slice(0, None, 24), 0.92, 0.96),
     ],
 )
-def test_jac_and_completeness(world_cup, model, frames, at_2, at_5) -> None:
+def test_jac_and_completeness(world_cup, model, frames, at_2, at_5):
     jacs = []
     for annotation in world_cup[frames]:
         used = on_the_ground(annotation) if model == "H" else annotation
@@ -53,7 +51,7 @@ def test_jac_and_completeness(world_cup, model, frames, at_2, at_5) -> None:
 @pytest.mark.parametrize(
     ("every", "enough"), [(60, 20), pytest.param(10, 130, marks=pytest.mark.soak)]
 )
-def test_held_out_elements(world_cup, every, enough) -> None:
+def test_held_out_elements(world_cup, every, enough):
     """Some frames, every element left out in turn (all frames: 1.0 px)."""
     means: list[float] = []
     for annotation in world_cup[::every]:
@@ -73,7 +71,7 @@ def test_held_out_elements(world_cup, every, enough) -> None:
 @pytest.mark.parametrize(
     ("every", "enough"), [(72, 15), pytest.param(24, 50, marks=pytest.mark.soak)]
 )
-def test_the_chosen_model_predicts_no_worse(world_cup, every, enough) -> None:
+def test_the_chosen_model_predicts_no_worse(world_cup, every, enough):
     """Some frames, every element left out in turn: the choice does not overfit."""
     means: dict[str, list[float]] = {"R": [], "auto": []}
     for annotation in world_cup[::every]:
@@ -94,7 +92,7 @@ def test_the_chosen_model_predicts_no_worse(world_cup, every, enough) -> None:
 
 
 @pytest.mark.parametrize(("every", "enough"), [(8, 8), pytest.param(2, 30, marks=pytest.mark.soak)])
-def test_predicted_deviations_gate_predictions(world_cup, every, enough) -> None:
+def test_predicted_deviations_gate_predictions(world_cup, every, enough):
     """Where the fit to 5 random elements promises 2.5 px, a held-out element is within 5 px."""
     rng = np.random.default_rng(2)
     kept_promises = []

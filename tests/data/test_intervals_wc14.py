@@ -1,7 +1,5 @@
 """World Cup 2014: which difference between two published methods is real."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np
@@ -46,7 +44,7 @@ def sources(shared_data) -> tuple[SourceSums, ...]:
 
 
 @pytest.mark.parametrize("method", INTERVAL_METHODS)
-def test_undecided_at_2_px_and_real_at_5(sources, method) -> None:
+def test_undecided_at_2_px_and_real_at_5(sources, method):
     clusters = clusters_of(sources[0].names, None, {})
     assert "not clustered" in clusters.described
     certainty = Inference(sources, clusters, method=method)
@@ -65,7 +63,7 @@ def test_undecided_at_2_px_and_real_at_5(sources, method) -> None:
     assert certainty.best("mean_jac", 5.0) == 0
 
 
-def test_every_point_is_moved_alike_for_every_source(shared_data) -> None:
+def test_every_point_is_moved_alike_for_every_source(shared_data):
     moved = []
     for name in ("pnlcalib", "nbjw"):
         with (

@@ -1,7 +1,5 @@
 """On real frames: games of one stadium are told by their camera, pitches are 105 x 68 m."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -38,7 +36,7 @@ def shared(frames, alone) -> SharedPositionResult:
     return fit_shared_position(frames, alone, FIELD)
 
 
-def test_every_game_has_a_position_of_its_own(shared) -> None:
+def test_every_game_has_a_position_of_its_own(shared):
     expected = sorted(({str(n) for n in run} for run in RUNS), key=len, reverse=True)
     assert [set(t.frames) for t in shared.groups] == expected
     for tripod in shared.groups:
@@ -46,14 +44,14 @@ def test_every_game_has_a_position_of_its_own(shared) -> None:
         assert tripod.scatter_m[1] > 3 * tripod.deviations_m[1]
 
 
-def test_the_points_are_still_met(shared, alone) -> None:
+def test_the_points_are_still_met(shared, alone):
     before = np.mean([fit.mean_px for fit in alone.values()])
     after = np.mean([fit.mean_px for fit in shared.fits.values()])
     assert before < after < 1.6 * before
 
 
 @pytest.mark.parametrize("run", [RUNS[1], pytest.param(RUNS[2], marks=pytest.mark.soak)])
-def test_world_cup_pitches_have_their_size(frames, alone, run) -> None:
+def test_world_cup_pitches_have_their_size(frames, alone, run):
     names = [str(number) for number in run]
     found = fit_dimensions({n: frames[n] for n in names}, {n: alone[n] for n in names}, FIELD)
     for dimension in found.dimensions:

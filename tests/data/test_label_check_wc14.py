@@ -3,8 +3,6 @@
 A sample of the frames; all of them in `tests/bench/test_labels.py`.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -36,7 +34,7 @@ SIZE = (960, 540)
         ("point", 18, 0.87, 0.94),
     ],
 )
-def test_injected_mistakes(world_cup, injected_mistakes, kind, every, recall, precision) -> None:
+def test_injected_mistakes(world_cup, injected_mistakes, kind, every, recall, precision):
     found = injected_mistakes(world_cup[::every], kind, seed=9)
     assert found.frames >= 5
     assert found.recall >= recall
@@ -45,7 +43,7 @@ def test_injected_mistakes(world_cup, injected_mistakes, kind, every, recall, pr
 
 
 @pytest.mark.parametrize("every", [20, pytest.param(5, marks=pytest.mark.soak)])
-def test_clean_frames(world_cup, every) -> None:
+def test_clean_frames(world_cup, every):
     findings = []
     for annotation in world_cup[::every]:
         fit = fit_camera(annotation, FIELD)
@@ -57,7 +55,7 @@ def test_clean_frames(world_cup, every) -> None:
 
 
 @pytest.mark.parametrize("every", [36, pytest.param(12, marks=pytest.mark.soak)])
-def test_reflected_frames(world_cup, every) -> None:
+def test_reflected_frames(world_cup, every):
     found = []
     enough = [a for a in world_cup if len(a.annotated) >= 5]
     for number, annotation in enumerate(enough[::every]):
@@ -71,7 +69,7 @@ def test_reflected_frames(world_cup, every) -> None:
 @pytest.mark.parametrize(
     ("every", "kind"), [(3, "turned"), pytest.param(1, "across", marks=pytest.mark.soak)]
 )
-def test_frames_on_the_other_side(world_cup, every, kind) -> None:
+def test_frames_on_the_other_side(world_cup, every, kind):
     """A sixth of the frames turned, or with far and near exchanged: the others tell, and of the
     frames as they are none is named."""
     frames = dict(enumerate(world_cup[::every]))

@@ -1,7 +1,5 @@
 """Agreement with the official SoccerNet evaluation on real and made-up frames."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """On a real frame the camera is found without a click."""
 
-from __future__ import annotations
-
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
@@ -9,7 +7,7 @@ from procc_annotator.image.decoding import decode_bgra
 from tests.bench.no_clicks.clips import is_right
 
 
-def test_the_camera_of_a_real_frame(shared_data) -> None:
+def test_the_camera_of_a_real_frame(shared_data):
     field = load_field("soccer")
     picture = decode_bgra(shared_data / "frames" / "bra_mex.jpg")
     file = shared_data / "frames" / "bra_mex.json"

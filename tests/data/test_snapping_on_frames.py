@@ -1,7 +1,5 @@
 """On real frames clicks land on the paint that an eye found, and none is lost."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -22,7 +20,7 @@ def of(clips: str) -> pytest.MarkDecorator:
 
 
 @of("bra_mex tennis volleyball")
-def test_clicks_beside_paint_land_on_it(frame, shared_data) -> None:
+def test_clicks_beside_paint_land_on_it(frame, shared_data):
     """Light lines; what is harder is printed by the bench."""
     paint = ExpectedLines(frame.field, frame.size[0])
     found = snapping(frame, frame.picture(shared_data), paint, directed=True)
@@ -35,14 +33,14 @@ def test_clicks_beside_paint_land_on_it(frame, shared_data) -> None:
 
 
 @of("bra_mex basketball_nba")
-def test_regularising_loses_no_click(frame, shared_data) -> None:
+def test_regularising_loses_no_click(frame, shared_data):
     found = regular(frame, frame.picture(shared_data), np.random.default_rng(13))
     assert found.clicks >= 10
     assert found.lost == 0
     assert not found.curves or np.median(found.curves) <= 0.6
 
 
-def test_accepted_ghosts_lie_on_paint(shared_data) -> None:
+def test_accepted_ghosts_lie_on_paint(shared_data):
     frame = FRAMES["bra_mex"]
     found = accepted(frame, frame.picture(shared_data), np.random.default_rng(13))
     assert found.ghosts >= 6
@@ -50,7 +48,7 @@ def test_accepted_ghosts_lie_on_paint(shared_data) -> None:
     assert np.median(found.interior) <= 0.3
 
 
-def test_a_faint_line_that_points_were_put_on_has_paint(shared_data) -> None:
+def test_a_faint_line_that_points_were_put_on_has_paint(shared_data):
     """Seen along the whole line only; a parallel to it on the grass is on none."""
     video = shared_data / "clips" / "soccer_7_Psg-Angers_156_167.mp4"
     picture, soccer, name = decode_bgra(video / "00000140"), load_field("soccer"), "Side line top"

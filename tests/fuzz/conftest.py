@@ -3,8 +3,6 @@
 Every input is reproducible: hypothesis and byte damage go by the number of the lap (`make soak`).
 """
 
-from __future__ import annotations
-
 import random
 import re
 import time

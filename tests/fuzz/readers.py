@@ -1,7 +1,5 @@
 """Every reader of files from outside: valid files, and what must hold of whatever it reads."""
 
-from __future__ import annotations
-
 import io
 import json
 import math

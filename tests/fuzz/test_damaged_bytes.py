@@ -1,7 +1,5 @@
 """Files with damaged bytes are refused in one clear line, or read as they are, by every reader."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 
 import pytest
@@ -28,7 +26,7 @@ Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
 
 @pytest.mark.laps
 @pytest.mark.parametrize("name", READERS)
-def test_damaged_bytes(judge, damage, tmp_path, request, name) -> None:
+def test_damaged_bytes(judge, damage, tmp_path, request, name):
     reader, path = READERS[name], tmp_path / READERS[name].file_name
     real = request.getfixturevalue("shared_data") if name.startswith("real ") else tmp_path
     seeds = reader.seeds(real)
@@ -48,7 +46,7 @@ def test_damaged_bytes(judge, damage, tmp_path, request, name) -> None:
 
 
 @pytest.mark.laps
-def test_damaged_tables_of_archives(judge, damage, tmp_path) -> None:
+def test_damaged_tables_of_archives(judge, damage, tmp_path):
     """Most of an archive is content; here only its headers and its table are damaged."""
     reader, path = READERS["archive"], tmp_path / "z.zip"
     for seed in ARCHIVES[2:]:
@@ -59,7 +57,7 @@ def test_damaged_tables_of_archives(judge, damage, tmp_path) -> None:
             reader.check(members or [], b"")
 
 
-def test_every_camera_format_takes_every_kind_of_file(judge, tmp_path) -> None:
+def test_every_camera_format_takes_every_kind_of_file(judge, tmp_path):
     single = (ANNOTATIONS[0], CAMERAS[0], HOMOGRAPHIES[0], ARRAYS[0], b"", b"\0" * 99)
     path = tmp_path / "1.txt"
     for data in single:

@@ -1,7 +1,5 @@
 """Files changed in their structure are refused in one clear line, or read without any change."""
 
-from __future__ import annotations
-
 import copy
 import json
 from collections.abc import Callable, Sequence
@@ -165,7 +163,7 @@ def changed_json(draw: Any, seeds: Sequence[bytes]) -> Any:
 @pytest.mark.laps
 @settings(settings.get_profile("fuzz"), max_examples=200)
 @given(data=changed_json(ANNOTATIONS))
-def test_annotations(judge, folder, data) -> None:
+def test_annotations(judge, folder, data):
     path = folder / "00001.json"
     path.write_bytes(data)
     annotation = judge("annotation", str(path), lambda: read_annotation_file(path))
@@ -178,7 +176,7 @@ def test_annotations(judge, folder, data) -> None:
 @pytest.mark.laps
 @settings(settings.get_profile("fuzz"), max_examples=125)
 @given(data=changed_json(CAMERAS))
-def test_cameras(judge, folder, data) -> None:
+def test_cameras(judge, folder, data):
     path = folder / "camera_00001.json"
     path.write_bytes(data)
     loaded = judge("camera", str(path), lambda: read_camera()(path))
@@ -243,7 +241,7 @@ def built_homography(draw: Any) -> Any:
 @pytest.mark.laps
 @settings(settings.get_profile("fuzz"), max_examples=90)
 @given(data=built_homography(), convention=st.sampled_from(["wc14", "carwc", "world"]))
-def test_homographies(judge, folder, data, convention) -> None:
+def test_homographies(judge, folder, data, convention):
     path = folder / "1.npy"
     path.write_bytes(data)
     loaded = judge("homography", str(path), lambda: read_camera(convention)(path))
@@ -358,21 +356,21 @@ def read_and_check_field(judge: Any, path: Path, data: bytes) -> None:
 @pytest.mark.laps
 @settings(settings.get_profile("fuzz"), max_examples=25)
 @given(data=changed_fields())
-def test_fields(judge, folder, data) -> None:
+def test_fields(judge, folder, data):
     read_and_check_field(judge, folder / "field.toml", data)
 
 
 @pytest.mark.laps
 @settings(settings.get_profile("fuzz"), max_examples=25)
 @given(data=renamed_fields())
-def test_fields_with_other_values(judge, folder, data) -> None:
+def test_fields_with_other_values(judge, folder, data):
     read_and_check_field(judge, folder / "field.toml", data)
 
 
 @pytest.mark.laps
 @settings(settings.get_profile("fuzz"), max_examples=50)
 @given(formula=formulas(), key=st.sampled_from(["half_width", "unused"]))
-def test_fields_with_any_formula(judge, folder, formula, key) -> None:
+def test_fields_with_any_formula(judge, folder, formula, key):
     line = 'half_width = "width / 2"'
     assert line in FIELD_LINES
     changed = f"{key} = {json.dumps(formula)}" + (f"\n{line}" if key == "unused" else "")

@@ -1,7 +1,5 @@
 """Saving when the system fails: each call of `write_atomic`, each reason, the same promises."""
 
-from __future__ import annotations
-
 import errno
 import os
 from collections.abc import Callable
@@ -35,7 +33,7 @@ class Stream:
         self.broken = broken
         self.error = error
 
-    def __enter__(self) -> Stream:
+    def __enter__(self):
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -91,7 +89,7 @@ def descriptors() -> int:
 
 @pytest.mark.parametrize("code", REASONS, ids=errno.errorcode.get)
 @pytest.mark.parametrize("call", [*CALLS, *STREAM_CALLS])
-def test_every_reason_at_every_call(path, monkeypatch, call, code) -> None:
+def test_every_reason_at_every_call(path, monkeypatch, call, code):
     opened = descriptors()
     with monkeypatch.context() as patch:
         break_call(patch, call, OSError(code, os.strerror(code)))
@@ -107,7 +105,7 @@ def test_every_reason_at_every_call(path, monkeypatch, call, code) -> None:
 
 
 @pytest.mark.parametrize("call", [*CALLS, *STREAM_CALLS])
-def test_an_interruption_at_every_call(path, monkeypatch, call) -> None:
+def test_an_interruption_at_every_call(path, monkeypatch, call):
     opened = descriptors()
     with monkeypatch.context() as patch:
         break_call(patch, call, KeyboardInterrupt())
@@ -119,7 +117,7 @@ def test_an_interruption_at_every_call(path, monkeypatch, call) -> None:
 
 
 @pytest.mark.parametrize("failure", [OSError(errno.EIO, "late"), KeyboardInterrupt()])
-def test_a_rename_that_happened_and_yet_reports_a_failure(path, monkeypatch, failure) -> None:
+def test_a_rename_that_happened_and_yet_reports_a_failure(path, monkeypatch, failure):
     """A network drive may lose the answer: the file is then the new one, whole."""
     with monkeypatch.context() as patch:
         break_call(patch, "replace", failure, after=True)
@@ -129,7 +127,7 @@ def test_a_rename_that_happened_and_yet_reports_a_failure(path, monkeypatch, fai
     assert os.listdir(path.parent) == ["1.json"]
 
 
-def test_a_temporary_file_that_cannot_be_removed_hides_nothing(path, monkeypatch) -> None:
+def test_a_temporary_file_that_cannot_be_removed_hides_nothing(path, monkeypatch):
     with monkeypatch.context() as patch:
         break_call(patch, "fsync", OSError(errno.EIO, "Input/output error"))
         break_call(patch, "unlink", OSError(errno.EACCES, "Permission denied"))
@@ -144,7 +142,7 @@ def test_a_temporary_file_that_cannot_be_removed_hides_nothing(path, monkeypatch
 
 
 @pytest.mark.parametrize("call", ["open", "fsync", "close"])
-def test_the_new_file_stays_when_only_its_folder_cannot_be_synced(path, monkeypatch, call) -> None:
+def test_the_new_file_stays_when_only_its_folder_cannot_be_synced(path, monkeypatch, call):
     replace = os.replace
     with monkeypatch.context() as patch:
 
@@ -158,7 +156,7 @@ def test_the_new_file_stays_when_only_its_folder_cannot_be_synced(path, monkeypa
     assert os.listdir(path.parent) == ["1.json"]
 
 
-def test_a_write_the_system_itself_refuses(path) -> None:
+def test_a_write_the_system_itself_refuses(path):
     resource = pytest.importorskip("resource")
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (4, hard))
@@ -172,7 +170,7 @@ def test_a_write_the_system_itself_refuses(path) -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
-def test_a_pipe_in_the_way_is_neither_waited_for_nor_replaced(tmp_path) -> None:
+def test_a_pipe_in_the_way_is_neither_waited_for_nor_replaced(tmp_path):
     pipe = tmp_path / "1.json"
     os.mkfifo(pipe)
     with pytest.raises(SaveError, match="a folder, a pipe or a device is in its place"):
@@ -202,7 +200,7 @@ def dataset(tmp_path) -> Path:
     ],
     ids=["to a file", "to nothing yet", "a folder", "a sibling that starts alike"],
 )
-def test_links_that_lead_out_of_the_dataset_are_not_followed(dataset, link, to, written) -> None:
+def test_links_that_lead_out_of_the_dataset_are_not_followed(dataset, link, to, written):
     (dataset / link).symlink_to(to)
     with pytest.raises(SaveError, match="is a link that leads out of the dataset; not followed"):
         write_atomic(dataset / written, NEW, inside=dataset)
@@ -212,7 +210,7 @@ def test_links_that_lead_out_of_the_dataset_are_not_followed(dataset, link, to, 
     assert (dataset.parent / "outside" / "secret").read_bytes() == OLD
 
 
-def test_links_within_the_dataset_and_to_the_dataset_are_followed(dataset) -> None:
+def test_links_within_the_dataset_and_to_the_dataset_are_followed(dataset):
     (dataset / "inner" / "real.json").write_bytes(OLD)
     (dataset / "1.json").symlink_to("inner/real.json")
     (dataset.parent / "linked").symlink_to("dataset")
@@ -225,7 +223,7 @@ def test_links_within_the_dataset_and_to_the_dataset_are_followed(dataset) -> No
     assert (dataset / "2.json").read_bytes() == NEW
 
 
-def test_a_link_in_a_circle_is_an_error(dataset) -> None:
+def test_a_link_in_a_circle_is_an_error(dataset):
     (dataset / "1.json").symlink_to("2.json")
     (dataset / "2.json").symlink_to("1.json")
     with pytest.raises(SaveError, match="could not be saved"):
@@ -233,7 +231,7 @@ def test_a_link_in_a_circle_is_an_error(dataset) -> None:
     assert (dataset / "1.json").is_symlink()
 
 
-def test_without_a_folder_to_stay_in_links_are_followed_anywhere(dataset) -> None:
+def test_without_a_folder_to_stay_in_links_are_followed_anywhere(dataset):
     (dataset / "1.json").symlink_to("../outside/secret")
     write_atomic(dataset / "1.json", NEW)
     assert (dataset.parent / "outside" / "secret").read_bytes() == NEW

@@ -1,7 +1,5 @@
 """Files made to do harm are refused in one line, before they cost time or memory."""
 
-from __future__ import annotations
-
 import io
 import json
 import pickle
@@ -50,7 +48,7 @@ def objects(target: Path) -> dict[str, bytes]:
 @pytest.mark.parametrize(
     "kind", ["an object array", "an archive of arrays", "bare", "bare, as text"]
 )
-def test_python_objects_are_refused_and_never_built(tmp_path, kind, name) -> None:
+def test_python_objects_are_refused_and_never_built(tmp_path, kind, name):
     target = tmp_path / "ran"
     with pytest.raises(CameraError) as caught:
         read_camera_file(objects(target)[kind], path=name)
@@ -61,7 +59,7 @@ def test_python_objects_are_refused_and_never_built(tmp_path, kind, name) -> Non
     assert not target.exists()
 
 
-def test_arrays_are_never_loaded_with_objects() -> None:
+def test_arrays_are_never_loaded_with_objects():
     """Other ways to run what a file contains are lint errors (pyproject.toml)."""
     files = sorted((ROOT / "procc_annotator").rglob("*.py"))
     text = "\n".join(f.read_text(encoding="utf-8") for f in files)
@@ -74,7 +72,7 @@ def test_arrays_are_never_loaded_with_objects() -> None:
 
 
 @pytest.mark.parametrize("digits", [309, 4300, 4301, 1_000_000])
-def test_whole_numbers_of_thousands_of_digits(tmp_path, digits) -> None:
+def test_whole_numbers_of_thousands_of_digits(tmp_path, digits):
     number = "9" * digits
     text = f'{{"Circle left": [{{"x": 0, "y": {number}}}]}}'
     with pytest.raises(AnnotationError) as caught:
@@ -109,7 +107,7 @@ def accepted(read: Callable[..., Any], text: str) -> Any:
 
 
 @pytest.mark.parametrize("depth", [60, 70, 300, 900, 960, 980, 990, 1000, 100_000])
-def test_what_is_nested_is_refused_or_can_be_written_again(depth) -> None:
+def test_what_is_nested_is_refused_or_can_be_written_again(depth):
     nested = "[" * depth + "]" * depth
     for text in (
         f'{{"meta": {{"deep": {nested}}}}}',
@@ -126,7 +124,7 @@ def test_what_is_nested_is_refused_or_can_be_written_again(depth) -> None:
         assert json.loads(write_camera(loaded.camera, loaded.content)) == json.loads(camera)
 
 
-def test_what_stands_in_a_file_cannot_command_the_terminal(tmp_path) -> None:
+def test_what_stands_in_a_file_cannot_command_the_terminal(tmp_path):
     evil = "\x1b]0;owned\x07\x1b[2J\u202e\u2028" + "x" * 100_000
     contents: list[dict[str, Any]] = [
         {evil: [[]]},

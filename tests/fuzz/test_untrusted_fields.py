@@ -1,7 +1,5 @@
 """Field files made to do harm are refused in one line, before they cost time or memory."""
 
-from __future__ import annotations
-
 import json
 import time
 
@@ -42,7 +40,7 @@ from tests.fuzz.readers import SOCCER, in_one_line
         "1_0__0",
     ],
 )
-def test_a_formula_takes_no_time_and_runs_nothing(tmp_path, formula) -> None:
+def test_a_formula_takes_no_time_and_runs_nothing(tmp_path, formula):
     path = tmp_path / "f.toml"
     path.write_text(
         SOCCER.replace('radius = "circle_radius"', f"radius = {json.dumps(formula)}", 1)
@@ -70,7 +68,7 @@ def test_a_formula_takes_no_time_and_runs_nothing(tmp_path, formula) -> None:
     ],
     ids=range(10),
 )
-def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path, added) -> None:
+def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path, added):
     path = tmp_path / "f.toml"
     path.write_text(SOCCER + "\n" + added)
     started = time.perf_counter()
@@ -81,7 +79,7 @@ def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path, added) -> None:
 
 
 @pytest.mark.parametrize("radius", ["1001", "1e15", "1e308", "-1001"])
-def test_a_field_larger_than_any_is_refused(tmp_path, radius) -> None:
+def test_a_field_larger_than_any_is_refused(tmp_path, radius):
     path = tmp_path / "f.toml"
     for old, new in (
         ('radius = "circle_radius"', f"radius = {radius}"),
@@ -95,7 +93,7 @@ def test_a_field_larger_than_any_is_refused(tmp_path, radius) -> None:
 
 
 @pytest.mark.parametrize("tiny", ["1e-320", "1e-9"])
-def test_elements_without_extent_are_refused(tmp_path, tiny) -> None:
+def test_elements_without_extent_are_refused(tmp_path, tiny):
     path = tmp_path / "f.toml"
     for old, new in (
         ('radius = "circle_radius"', f"radius = {tiny}"),
@@ -108,7 +106,7 @@ def test_elements_without_extent_are_refused(tmp_path, tiny) -> None:
         in_one_line(caught, str(path))
 
 
-def test_a_range_of_the_rules_wider_than_any_field_is_refused(tmp_path) -> None:
+def test_a_range_of_the_rules_wider_than_any_field_is_refused(tmp_path):
     """Whole numbers that long would also lose digits on the way."""
     path = tmp_path / "f.toml"
     path.write_text(SOCCER.replace("maximum = 120.0", "maximum = 2222222222222222222", 1))

@@ -1,7 +1,5 @@
 """Archives, pipes, devices and huge files are refused before they cost time or memory."""
 
-from __future__ import annotations
-
 import os
 import socket
 import struct
@@ -62,7 +60,7 @@ def archive(path: Path, *names: str) -> Path:
         "\x1b[2J/../2.json",
     ],
 )
-def test_an_archive_with_a_name_that_leads_out_is_refused_as_a_whole(tmp_path, name) -> None:
+def test_an_archive_with_a_name_that_leads_out_is_refused_as_a_whole(tmp_path, name):
     path = archive(tmp_path / "z.zip", name)
     with pytest.raises(InputError) as caught:
         open_source(path)
@@ -73,12 +71,12 @@ def test_an_archive_with_a_name_that_leads_out_is_refused_as_a_whole(tmp_path, n
 
 
 @pytest.mark.parametrize("name", ["..2.json", "a..b/2.json", "...", "test/2.json", "é:2.json"])
-def test_names_that_only_look_like_it_are_fine(tmp_path, name) -> None:
+def test_names_that_only_look_like_it_are_fine(tmp_path, name):
     with open_source(archive(tmp_path / "z.zip", name)) as source:
         assert source.read("1.json") == b"{}"
 
 
-def test_a_zip_bomb_is_refused_before_it_is_unpacked(tmp_path) -> None:
+def test_a_zip_bomb_is_refused_before_it_is_unpacked(tmp_path):
     path = tmp_path / "z.zip"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as made:
         made.writestr("1.json", bytes(LARGEST_FILE + 1))
@@ -95,7 +93,7 @@ def test_a_zip_bomb_is_refused_before_it_is_unpacked(tmp_path) -> None:
     assert peak < 1_000_000
 
 
-def test_a_zip_bomb_that_lies_about_its_size_gives_no_more_than_it_announced(tmp_path) -> None:
+def test_a_zip_bomb_that_lies_about_its_size_gives_no_more_than_it_announced(tmp_path):
     path = tmp_path / "z.zip"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as made:
         made.writestr("1.json", bytes(30_000_000))
@@ -110,7 +108,7 @@ def test_a_zip_bomb_that_lies_about_its_size_gives_no_more_than_it_announced(tmp
     assert peak < 1_000_000
 
 
-def test_other_ways_of_packing_are_refused(tmp_path) -> None:
+def test_other_ways_of_packing_are_refused(tmp_path):
     path = tmp_path / "z.zip"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_BZIP2) as made:
         made.writestr("1.json", "{}")
@@ -118,7 +116,7 @@ def test_other_ways_of_packing_are_refused(tmp_path) -> None:
         source.read("1.json")
 
 
-def test_a_member_that_is_a_link_is_only_its_text(tmp_path) -> None:
+def test_a_member_that_is_a_link_is_only_its_text(tmp_path):
     path = tmp_path / "z.zip"
     with zipfile.ZipFile(path, "w") as made:
         info = zipfile.ZipInfo("1.json")
@@ -132,7 +130,7 @@ def test_a_member_that_is_a_link_is_only_its_text(tmp_path) -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
-def test_pipes_are_refused_and_not_waited_for(tmp_path) -> None:
+def test_pipes_are_refused_and_not_waited_for(tmp_path):
     for name in ("1.json", "z.zip", "f.toml"):
         os.mkfifo(tmp_path / name)
     source = open_source(tmp_path)
@@ -156,9 +154,7 @@ def _socket(path: Path) -> None:
 @pytest.mark.parametrize(
     "name", ["1.jpg", "1.mp4", "1.json", "workspace.db", "workspace.db.backup"]
 )
-def test_a_dataset_with_a_pipe_or_socket_in_it_opens_and_closes(
-    tmp_path, monkeypatch, make, name
-) -> None:
+def test_a_dataset_with_a_pipe_or_socket_in_it_opens_and_closes(tmp_path, monkeypatch, make, name):
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "own"))
     monkeypatch.chdir(tmp_path)  # a socket's path is short
     (tmp_path / ".procc").mkdir()
@@ -175,7 +171,7 @@ def test_a_dataset_with_a_pipe_or_socket_in_it_opens_and_closes(
 
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no devices with names on this system")
-def test_devices_are_refused_also_through_links(tmp_path) -> None:
+def test_devices_are_refused_also_through_links(tmp_path):
     (tmp_path / "1.json").symlink_to("/dev/zero")
     (tmp_path / "f.toml").symlink_to("/dev/zero")
     with pytest.raises(InputError, match="is a pipe, a socket or a device, expected a file"):
@@ -184,7 +180,7 @@ def test_devices_are_refused_also_through_links(tmp_path) -> None:
         load_field(tmp_path / "f.toml")
 
 
-def test_files_far_too_large_are_refused_before_reading(tmp_path) -> None:
+def test_files_far_too_large_are_refused_before_reading(tmp_path):
     for name in ("1.json", "f.toml"):
         with open(tmp_path / name, "wb") as file:
             file.truncate(10**12)  # a terabyte that takes no room
@@ -202,7 +198,7 @@ def test_files_far_too_large_are_refused_before_reading(tmp_path) -> None:
         read_camera_file(b"1 0 0 0 1 0 0 0 1" + b" " * 65536, path="1.txt")
 
 
-def test_a_file_is_read_or_refused_as_the_caller_calls_it(tmp_path) -> None:
+def test_a_file_is_read_or_refused_as_the_caller_calls_it(tmp_path):
     (tmp_path / "1.json").write_bytes(b"{}")
     assert read_file(tmp_path / "1.json") == b"{}"
     with pytest.raises(AnnotationError, match="cannot be read: No such file") as caught:
@@ -212,7 +208,7 @@ def test_a_file_is_read_or_refused_as_the_caller_calls_it(tmp_path) -> None:
         read_file(tmp_path, AnnotationError)
 
 
-def test_a_path_that_cannot_be_looked_at_is_said(tmp_path, monkeypatch) -> None:
+def test_a_path_that_cannot_be_looked_at_is_said(tmp_path, monkeypatch):
     def forbid(*_: object, **__: object) -> None:
         raise PermissionError(13, "Permission denied")
 

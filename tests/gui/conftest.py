@@ -1,7 +1,5 @@
 """The real window, on small datasets, with settings of its own."""
 
-from __future__ import annotations
-
 import gc
 import json
 import shutil
@@ -50,7 +48,7 @@ MakeWindow = Callable[..., MainWindow]
 
 
 @pytest.fixture
-def qtbot(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> QtBot:
+def qtbot(qtbot, monkeypatch) -> QtBot:
     """What a test waits for may take its time on a machine that is busy with other things, and is
     seen soon after it is so."""
     for name in ("waitActive", "waitSignal"):
@@ -82,7 +80,7 @@ def _wait_until(
 
 
 @pytest.fixture(scope="session", autouse=True)
-def hurried(lean: None) -> Iterator[None]:
+def hurried(lean) -> Iterator[None]:
     """The window waits a tenth as long for a hand that may go on typing, walking or dragging."""
     with pytest.MonkeyPatch.context() as patch:
         for module, name in _WAITS_FOR_A_HAND:
@@ -107,7 +105,7 @@ _WAITS_FOR_A_HAND = (
 
 
 @pytest.fixture(scope="session")
-def settings_of_tests(tmp_path_factory: pytest.TempPathFactory) -> None:
+def settings_of_tests(tmp_path_factory) -> None:
     """Tests neither read nor change the settings of whoever runs them."""
     folder = str(tmp_path_factory.mktemp("settings"))
     for form in (QSettings.Format.IniFormat, QSettings.Format.NativeFormat):
@@ -115,7 +113,7 @@ def settings_of_tests(tmp_path_factory: pytest.TempPathFactory) -> None:
 
 
 @pytest.fixture(autouse=True)
-def no_settings(settings_of_tests: None) -> None:
+def no_settings(settings_of_tests) -> None:
     """Every test begins without any."""
     store = Settings()._store
     if store.allKeys():  # or the file would be written anew before every test
@@ -123,7 +121,7 @@ def no_settings(settings_of_tests: None) -> None:
 
 
 @pytest.fixture(scope="session", autouse=True)
-def lean(qapp: QApplication) -> None:
+def lean(qapp) -> None:
     """The style of the program; memory of pictures goes back to the system, and nobody looks for
     garbage in what was there before the tests."""
     qapp.setStyle(PlainTextStyle("Fusion"))
@@ -133,14 +131,14 @@ def lean(qapp: QApplication) -> None:
 
 
 @pytest.fixture(autouse=True)
-def little_garbage(qapp: QApplication) -> Iterator[None]:
+def little_garbage(qapp) -> Iterator[None]:
     """What a test leaves goes before the next one, on the interface's thread."""
     yield
     collect_now_and_then()
 
 
 @pytest.fixture(autouse=True)
-def no_button_held(qapp: QApplication) -> Iterator[None]:
+def no_button_held(qapp) -> Iterator[None]:
     """A button that a test leaves pressed is let go: what waits for the hand never ended else."""
     yield
     for button in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
@@ -149,13 +147,13 @@ def no_button_held(qapp: QApplication) -> Iterator[None]:
 
 
 @pytest.fixture(autouse=True)
-def nobody_asks(monkeypatch: pytest.MonkeyPatch) -> None:
+def nobody_asks(monkeypatch) -> None:
     """A window that is closed with unsaved work asks a question nobody would answer here."""
     monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", lambda *_: True)
 
 
 @pytest.fixture(autouse=True)
-def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
+def nothing_proposed(monkeypatch) -> None:
     """No camera is found in a picture alone, unless a test is about that: what is annotated in a
     test comes from its clicks."""
 
@@ -168,13 +166,13 @@ def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True)
-def worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def worked_out_once(monkeypatch) -> None:
     """What goes on beside a window is the same in most tests, see `known_already`."""
     hand_out(monkeypatch)
 
 
 @pytest.fixture(autouse=True)
-def paint_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def paint_looked_for_once(monkeypatch) -> None:
     """What a picture shows along a drawn element is looked for in the first test only that has the
     two, unless a test is about that: it is most of what goes on beside a window."""
 
@@ -211,7 +209,7 @@ def striped() -> list[bytes]:
 
 
 @pytest.fixture
-def dataset(tmp_path: Path, striped: list[bytes]) -> Path:
+def dataset(tmp_path, striped) -> Path:
     """Three pictures of a striped pitch; nothing is annotated."""
     folder = tmp_path / "dataset"
     folder.mkdir()
@@ -221,7 +219,7 @@ def dataset(tmp_path: Path, striped: list[bytes]) -> Path:
 
 
 @pytest.fixture(scope="session")
-def one_window(qapp: QApplication) -> Iterator[OneWindow]:
+def one_window(qapp) -> Iterator[OneWindow]:
     """The window that the tests share."""
     shared = OneWindow()
     yield shared
@@ -229,7 +227,7 @@ def one_window(qapp: QApplication) -> Iterator[OneWindow]:
 
 
 @pytest.fixture(autouse=True)
-def new_window(request: pytest.FixtureRequest, one_window: OneWindow) -> bool:
+def new_window(request, one_window) -> bool:
     """Whether a test wants windows of its own; then there is no other."""
     wanted = request.node.get_closest_marker("new_window") is not None
     if wanted:
@@ -238,7 +236,7 @@ def new_window(request: pytest.FixtureRequest, one_window: OneWindow) -> bool:
 
 
 @pytest.fixture
-def make_window(qtbot: QtBot, one_window: OneWindow, new_window: bool) -> Iterator[MakeWindow]:
+def make_window(qtbot, one_window, new_window) -> Iterator[MakeWindow]:
     """Build and show windows, but lend the first one to tests that are not marked `new_window`; new
     ones are closed at the end."""
     windows: list[MainWindow] = []
@@ -270,7 +268,7 @@ def make_window(qtbot: QtBot, one_window: OneWindow, new_window: bool) -> Iterat
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, dataset: Path) -> MainWindow:
+def window(make_window, dataset) -> MainWindow:
     """The window on the three pictures."""
     return make_window(dataset)
 
@@ -357,7 +355,7 @@ class Hand:
 
 
 @pytest.fixture
-def hand(window: MainWindow) -> Hand:
+def hand(window) -> Hand:
     """A hand on the window's canvas."""
     return Hand(window)
 
@@ -372,7 +370,7 @@ ReadPoints = Callable[..., "np.ndarray"]
 
 
 @pytest.fixture
-def saved(dataset: Path) -> ReadPoints:
+def saved(dataset) -> ReadPoints:
     """The points of a class of a frame as they are on disk, in px."""
 
     def read(class_name: str = "Middle line", frame: int = 0) -> np.ndarray:
@@ -386,14 +384,14 @@ def saved(dataset: Path) -> ReadPoints:
 
 
 @pytest.fixture(scope="session")
-def first_frames(sample_data: Path) -> list[Path]:
+def first_frames(sample_data) -> list[Path]:
     """The files of the sample's first frames and of their cameras, within its folder."""
     found = [*sample_data.glob("*0000[1-6].*"), *sample_data.glob("cameras/**/*0000[1-6].*")]
     return [path.relative_to(sample_data) for path in found]
 
 
 @pytest.fixture
-def annotated(sample_data: Path, first_frames: list[Path], tmp_path: Path) -> Path:
+def annotated(sample_data, first_frames, tmp_path) -> Path:
     """The sample's first frames and their cameras, to be changed at will."""
     folder = tmp_path / "sample"
     for parent in {path.parent for path in first_frames}:
@@ -404,7 +402,7 @@ def annotated(sample_data: Path, first_frames: list[Path], tmp_path: Path) -> Pa
 
 
 @pytest.fixture
-def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+def begun(make_window, annotated, qtbot) -> MainWindow:
     """The window on a sample frame with five of twelve elements, its ghosts shown."""
     path = annotated / "00002.json"
     entries = json.loads(path.read_text())
@@ -416,7 +414,7 @@ def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
 
 
 @pytest.fixture
-def told(begun: MainWindow) -> list[str]:
+def told(begun) -> list[str]:
     """What the window said, in order."""
     texts: list[str] = []
     begun.document.store.events.message.connect(lambda m: texts.append(m.text))
@@ -428,7 +426,7 @@ def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
 
 
 @pytest.fixture
-def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+def audited(make_window, annotated, qtbot) -> MainWindow:
     """The window on the sample with three sources, all frames audited; the first one is active.
 
     There is no live fit, which would be a fourth source.

@@ -6,8 +6,6 @@ every other is handed what came of it. Tests that put something of their own in 
 of these functions still do.
 """
 
-from __future__ import annotations
-
 import threading
 import zlib
 from collections import OrderedDict

@@ -1,7 +1,5 @@
 """One window for all tests of a module: it is made like new, or else a new one is made."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from pathlib import Path
 

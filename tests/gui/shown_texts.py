@@ -1,7 +1,5 @@
 """Every text that a window shows, and what of it no translation reaches."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from typing import Any

@@ -1,7 +1,5 @@
 """Computed values: of the present inputs or none, computed and signalled once, stopped in time."""
 
-from __future__ import annotations
-
 import gc
 import sys
 import threading
@@ -12,7 +10,6 @@ from typing import Any
 import pytest
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QApplication, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.background import ComputedValue, Stopped
@@ -66,7 +63,7 @@ def derived(
     return value
 
 
-def test_at_once_it_is_worked_out_when_asked_for_and_once(qtbot: QtBot) -> None:
+def test_at_once_it_is_worked_out_when_asked_for_and_once(qtbot):
     number, asked = Number(), []
     value = derived(number, lambda n: asked.append(n) or 10 * n, background=False)
     said = counted(value.changed)
@@ -79,7 +76,7 @@ def test_at_once_it_is_worked_out_when_asked_for_and_once(qtbot: QtBot) -> None:
     assert (value.value, asked) == (20, [1, 2])
 
 
-def test_objects_are_told_apart_by_what_they_are_not_by_what_is_in_them(qtbot: QtBot) -> None:
+def test_objects_are_told_apart_by_what_they_are_not_by_what_is_in_them(qtbot):
     number, asked = Number([1]), []
     value = derived(number, lambda n: asked.append(n) or len(n), background=False)
     assert value.value == 1
@@ -92,7 +89,7 @@ def test_objects_are_told_apart_by_what_they_are_not_by_what_is_in_them(qtbot: Q
     assert len(asked) == 5
 
 
-def test_beside_it_comes_once_it_is_known(qtbot: QtBot) -> None:
+def test_beside_it_comes_once_it_is_known(qtbot):
     number, threads = Number(), set()
     value = derived(number, lambda n: threads.add(threading.get_ident()) or 10 * n)
     said = counted(value.changed)
@@ -104,7 +101,7 @@ def test_beside_it_comes_once_it_is_known(qtbot: QtBot) -> None:
     assert (value.value, len(said)) == (10, 1)
 
 
-def test_a_stale_answer_is_never_shown(qtbot: QtBot) -> None:
+def test_a_stale_answer_is_never_shown(qtbot):
     number, gate = Number(), Gate()
     value = derived(number, gate)
     shown: list[object] = []
@@ -120,7 +117,7 @@ def test_a_stale_answer_is_never_shown(qtbot: QtBot) -> None:
     assert (value.value, value.working) == (None, True)
 
 
-def test_nothing_to_work_out_is_no_value(qtbot: QtBot) -> None:
+def test_nothing_to_work_out_is_no_value(qtbot):
     number = Number(None)
     value = derived(number, lambda n: 10 * n)
     assert (value.value, value.working, value.problem) == (None, False, "")
@@ -131,7 +128,7 @@ def test_nothing_to_work_out_is_no_value(qtbot: QtBot) -> None:
     assert (value.value, value.working, len(said)) == (None, False, 1)
 
 
-def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot: QtBot) -> None:
+def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot):
     asked: list[object] = ["no camera"]
     value = ComputedValue(lambda: asked[0], lambda n: 10 * n)
     value.invalidate()
@@ -146,7 +143,7 @@ def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot: QtBot) -> None:
     assert value.problem == ""
 
 
-def test_none_may_be_the_answer(qtbot: QtBot) -> None:
+def test_none_may_be_the_answer(qtbot):
     number, asked = Number(), []
     value = derived(number, lambda n: asked.append(n))
     qtbot.waitUntil(lambda: not value.working)
@@ -155,7 +152,7 @@ def test_none_may_be_the_answer(qtbot: QtBot) -> None:
     assert (value.value, asked) == (None, [1])
 
 
-def test_what_nobody_wants_is_not_worked_out(qtbot: QtBot) -> None:
+def test_what_nobody_wants_is_not_worked_out(qtbot):
     number, asked = Number(), []
     value = ComputedValue(number.inputs, lambda n: asked.append(n) or n)
     value.set_enabled(False)
@@ -168,7 +165,7 @@ def test_what_nobody_wants_is_not_worked_out(qtbot: QtBot) -> None:
     assert value.value is None
 
 
-def test_as_many_answers_are_kept_as_wished(qtbot: QtBot) -> None:
+def test_as_many_answers_are_kept_as_wished(qtbot):
     number, asked = Number(), []
     value = derived(number, lambda n: asked.append(n) or n, cache_size=2)
     for n in (1, 2, 1, 3, 1, 2):
@@ -187,7 +184,7 @@ def refuse(n: int) -> int:
 
 
 @pytest.mark.parametrize("background", [True, False])
-def test_a_failure_is_a_problem_and_told_once(qtbot: QtBot, background: bool) -> None:
+def test_a_failure_is_a_problem_and_told_once(qtbot, background):
     number = Number(11)
     value = derived(number, refuse, background)
     told = counted(value.failed)
@@ -200,7 +197,7 @@ def test_a_failure_is_a_problem_and_told_once(qtbot: QtBot, background: bool) ->
     assert told == [("1 is no good",), ("2 is no good",)]
 
 
-def test_what_failed_is_tried_again_when_asked(qtbot: QtBot) -> None:
+def test_what_failed_is_tried_again_when_asked(qtbot):
     number, asked, broken = Number(), [], [True]
 
     def compute(n: int) -> int:
@@ -226,7 +223,7 @@ def test_what_failed_is_tried_again_when_asked(qtbot: QtBot) -> None:
     assert (len(asked), value.problem) == (3, "")
 
 
-def test_a_bug_is_told_and_not_hidden(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bug_is_told_and_not_hidden(qtbot, monkeypatch):
     raised: list[BaseException] = []
     monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: raised.append(error))
     number, asked = Number(0), []
@@ -240,7 +237,7 @@ def test_a_bug_is_told_and_not_hidden(qtbot: QtBot, monkeypatch: pytest.MonkeyPa
     assert value.problem == ""
 
 
-def test_work_that_nobody_wants_any_more_is_left(qtbot: QtBot) -> None:
+def test_work_that_nobody_wants_any_more_is_left(qtbot):
     number, begun, left = Number(), threading.Event(), []
 
     def compute(n: int, go_on: Callable[[], None]) -> int:
@@ -260,7 +257,7 @@ def test_work_that_nobody_wants_any_more_is_left(qtbot: QtBot) -> None:
     assert left == [1]
 
 
-def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
+def test_patience_is_asked_for_what_came_and_went(qtbot):
     number, asked, waits = Number(), [], []
 
     def patience(now: object) -> int:
@@ -277,7 +274,7 @@ def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
     assert asked == [4]  # what was only passed is never begun
 
 
-def test_what_is_forgotten_while_it_is_worked_out_is_worked_out_anew(qtbot: QtBot) -> None:
+def test_what_is_forgotten_while_it_is_worked_out_is_worked_out_anew(qtbot):
     number, gate = Number(), Gate()
     value = derived(number, gate)
     qtbot.waitUntil(gate.begun.is_set)
@@ -288,7 +285,7 @@ def test_what_is_forgotten_while_it_is_worked_out_is_worked_out_anew(qtbot: QtBo
     assert gate.asked == [1, 1]
 
 
-def test_what_is_painted_comes_first(qtbot: QtBot) -> None:
+def test_what_is_painted_comes_first(qtbot):
     order: list[str] = []
 
     class Painted(QWidget):
@@ -310,7 +307,7 @@ def test_what_is_painted_comes_first(qtbot: QtBot) -> None:
     assert set(order) == {"painted", "begun"}
 
 
-def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
+def test_after_close_nothing_comes_and_nothing_is_held(qtbot):
     class Thing:
         pass
 
@@ -334,7 +331,7 @@ def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
     assert (said, gate.asked, value.value, value.working) == ([], [1], None, False)
 
 
-def test_what_is_dropped_takes_its_work_along(qtbot: QtBot) -> None:
+def test_what_is_dropped_takes_its_work_along(qtbot):
     parent, number, gate = QObject(), Number(), Gate()
     value = derived(number, gate, parent=parent)
     qtbot.waitUntil(gate.begun.is_set)
@@ -348,7 +345,7 @@ def test_what_is_dropped_takes_its_work_along(qtbot: QtBot) -> None:
     assert gate.asked == [1]
 
 
-def test_a_value_of_a_value_follows(qtbot: QtBot) -> None:
+def test_a_value_of_a_value_follows(qtbot):
     number = Number()
     tenfold = derived(number, lambda n: 10 * n)
 
@@ -365,7 +362,7 @@ def test_a_value_of_a_value_follows(qtbot: QtBot) -> None:
     assert len(said) == 3
 
 
-def test_answers_are_kept_within_what_they_are_of_only(qtbot: QtBot) -> None:
+def test_answers_are_kept_within_what_they_are_of_only(qtbot):
     number, asked, frame = Number(), [], ["first"]
     value = derived(
         number,
@@ -385,7 +382,7 @@ def test_answers_are_kept_within_what_they_are_of_only(qtbot: QtBot) -> None:
     assert value.cached(1) is None
 
 
-def test_a_later_look_is_one_for_all_and_no_value_is_older(qtbot: QtBot) -> None:
+def test_a_later_look_is_one_for_all_and_no_value_is_older(qtbot):
     number, asked = Number(), []
     value = ComputedValue(number.inputs, lambda n: asked.append(n) or 10 * n)
     said = counted(value.changed)

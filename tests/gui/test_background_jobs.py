@@ -1,7 +1,5 @@
 """Work in the background: its outcome arrives on the interface thread, nothing vanishes."""
 
-from __future__ import annotations
-
 import os
 import sys
 import threading
@@ -11,7 +9,6 @@ from types import TracebackType
 import pytest
 import shiboken6
 from PySide6.QtCore import QObject
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.background import (
@@ -46,7 +43,7 @@ class Heard:
         self.threads.add(threading.get_ident())
 
 
-def test_the_result_arrives_on_the_interface_thread(qtbot: QtBot) -> None:
+def test_the_result_arrives_on_the_interface_thread(qtbot):
     heard = Heard()
     worked_in: list[int] = []
 
@@ -67,7 +64,7 @@ def test_the_result_arrives_on_the_interface_thread(qtbot: QtBot) -> None:
     assert not job.running
 
 
-def test_an_expected_error_arrives_as_its_text(qtbot: QtBot) -> None:
+def test_an_expected_error_arrives_as_its_text(qtbot):
     heard = Heard()
 
     def work(control: JobControl) -> int:
@@ -79,9 +76,7 @@ def test_an_expected_error_arrives_as_its_text(qtbot: QtBot) -> None:
     assert not heard.results
 
 
-def test_a_bug_reaches_the_exception_hook_and_whoever_waits(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_bug_reaches_the_exception_hook_and_whoever_waits(qtbot, monkeypatch):
     heard = Heard()
     raised: list[BaseException] = []
 
@@ -99,7 +94,7 @@ def test_a_bug_reaches_the_exception_hook_and_whoever_waits(
     assert not heard.results
 
 
-def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None:
+def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot):
     heard = Heard()
     stopped = threading.Event()
     started = threading.Event()
@@ -120,7 +115,7 @@ def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None
     assert heard.results == [2]
 
 
-def test_parts_come_before_the_outcome_in_their_order(qtbot: QtBot) -> None:
+def test_parts_come_before_the_outcome_in_their_order(qtbot):
     heard, owner, told = Heard(), QObject(), list[object]()
     latest = LatestOnlyTask(owner, heard.on_error)
 
@@ -137,9 +132,7 @@ def test_parts_come_before_the_outcome_in_their_order(qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize("kept", [True, False])
-def test_what_was_handed_over_is_taken_by_cutting_short_not_by_cancelling(
-    qtbot: QtBot, kept: bool
-) -> None:
+def test_what_was_handed_over_is_taken_by_cutting_short_not_by_cancelling(qtbot, kept):
     heard, owner, told = Heard(), QObject(), list[int]()
     latest = LatestOnlyTask(owner, heard.on_error)
     handed, ended = threading.Event(), threading.Event()
@@ -161,7 +154,7 @@ def test_what_was_handed_over_is_taken_by_cutting_short_not_by_cancelling(
     assert heard.results == [4]
 
 
-def test_of_work_begun_one_after_another_only_the_latest_is_heard_of(qtbot: QtBot) -> None:
+def test_of_work_begun_one_after_another_only_the_latest_is_heard_of(qtbot):
     heard, owner = Heard(), QObject()
     latest = LatestOnlyTask(owner, heard.on_error)
     begun, left = threading.Event(), threading.Event()
@@ -194,7 +187,7 @@ def test_of_work_begun_one_after_another_only_the_latest_is_heard_of(qtbot: QtBo
     assert heard.errors == ["no", "no!"]
 
 
-def test_nothing_is_delivered_to_an_owner_that_is_gone(qtbot: QtBot) -> None:
+def test_nothing_is_delivered_to_an_owner_that_is_gone(qtbot):
     heard = Heard()
     owner = QObject()
     go_on = threading.Event()
@@ -211,7 +204,7 @@ def test_nothing_is_delivered_to_an_owner_that_is_gone(qtbot: QtBot) -> None:
 
 
 @pytest.fixture
-def busy(qtbot: QtBot) -> Iterator[threading.Event]:
+def busy(qtbot) -> Iterator[threading.Event]:
     """Work on whole datasets holds every thread it may have, until this is set."""
     go_on = threading.Event()
     heard = Heard()
@@ -224,7 +217,7 @@ def busy(qtbot: QtBot) -> Iterator[threading.Event]:
 
     jobs = [
         run_in_background(
-            lambda _, begun=begun: hold(begun),  # type: ignore[misc]
+            lambda _, begun=begun: hold(begun),
             on_result=heard.on_result,
             on_error=heard.on_error,
         )
@@ -236,9 +229,7 @@ def busy(qtbot: QtBot) -> Iterator[threading.Event]:
     qtbot.waitUntil(lambda: not any(job.running for job in jobs))
 
 
-def test_what_a_hand_waits_for_passes_work_on_the_whole_set(
-    qtbot: QtBot, busy: threading.Event
-) -> None:
+def test_what_a_hand_waits_for_passes_work_on_the_whole_set(qtbot, busy):
     heard = Heard()
     run_in_background(
         lambda _: 1, on_result=heard.on_result, on_error=heard.on_error, priority=Priority.URGENT
@@ -248,9 +239,7 @@ def test_what_a_hand_waits_for_passes_work_on_the_whole_set(
 
 
 @pytest.mark.parametrize("how", ["forgotten", "deleted with its parent"])
-def test_work_whose_owner_is_gone_never_begins(
-    qtbot: QtBot, busy: threading.Event, how: str
-) -> None:
+def test_work_whose_owner_is_gone_never_begins(qtbot, busy, how):
     heard = Heard()
     began: list[str] = []
     parent = QObject()
@@ -273,7 +262,7 @@ def test_work_whose_owner_is_gone_never_begins(
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="no other system lets one thread yield")
-def test_work_on_whole_datasets_yields_to_the_interface(qtbot: QtBot) -> None:
+def test_work_on_whole_datasets_yields_to_the_interface(qtbot):
     found: dict[bool, int] = {}
 
     def note(urgent: bool) -> None:
@@ -292,7 +281,7 @@ def test_work_on_whole_datasets_yields_to_the_interface(qtbot: QtBot) -> None:
     assert found[False] > here or here == 19
 
 
-def test_work_may_begin_later_and_is_never_begun_if_it_is_cancelled_before(qtbot: QtBot) -> None:
+def test_work_may_begin_later_and_is_never_begun_if_it_is_cancelled_before(qtbot):
     heard, begun = Heard(), []
 
     def work(control: JobControl) -> int:
@@ -312,7 +301,7 @@ def test_work_may_begin_later_and_is_never_begun_if_it_is_cancelled_before(qtbot
     assert len(begun) == 2
 
 
-def test_while_the_window_is_made_only_short_work_begins(qtbot: QtBot) -> None:
+def test_while_the_window_is_made_only_short_work_begins(qtbot):
     heard, begun = Heard(), []
     given = {"on_result": heard.on_result, "on_error": heard.on_error}
 
@@ -339,9 +328,7 @@ def test_while_the_window_is_made_only_short_work_begins(qtbot: QtBot) -> None:
     assert not dropped.running
 
 
-def test_whoever_tells_nothing_hides_no_error(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_whoever_tells_nothing_hides_no_error(qtbot, monkeypatch):
     raised: list[BaseException] = []
     monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: raised.append(error))
 

@@ -1,22 +1,16 @@
 """Bars that come and go while somebody clicks."""
 
-from __future__ import annotations
-
 import pytest
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QApplication, QToolButton
-from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import set_text_size
 from procc_annotator.gui.window.status import Readout, SteadyLabel
-from tests.gui.conftest import Hand, all_done
+from tests.gui.conftest import all_done
 
 
 @pytest.mark.parametrize("zoomed", [False, True])
-def test_no_bar_moves_what_is_under_the_cursor(
-    window: MainWindow, hand: Hand, qtbot: QtBot, zoomed: bool
-) -> None:
+def test_no_bar_moves_what_is_under_the_cursor(window, hand, qtbot, zoomed):
     all_done(qtbot)  # the strip below the picture comes a moment after the frame
     canvas = window.canvas
     if zoomed:
@@ -35,9 +29,7 @@ def test_no_bar_moves_what_is_under_the_cursor(
     assert on_screen() == before
 
 
-def test_a_frame_that_comes_under_a_bar_is_seen_whole(
-    window: MainWindow, hand: Hand, qtbot: QtBot
-) -> None:
+def test_a_frame_that_comes_under_a_bar_is_seen_whole(window, hand, qtbot):
     window.document.say("a colleague has this frame", "warning")
     qtbot.waitUntil(lambda: window.bars.height() > 0)
     window.document.walk.next_frame()
@@ -47,7 +39,7 @@ def test_a_frame_that_comes_under_a_bar_is_seen_whole(
     assert window.canvas.viewport().mapToGlobal(hand.at(0, 0)).y() >= covered
 
 
-def test_a_warning_is_shown_though_something_else_is_said_at_once(window: MainWindow) -> None:
+def test_a_warning_is_shown_though_something_else_is_said_at_once(window):
     document = window.document
     with document.store.transaction():
         document.say("a colleague has this frame", "warning")
@@ -57,12 +49,9 @@ def test_a_warning_is_shown_though_something_else_is_said_at_once(window: MainWi
     assert "the frame is in progress again" in window.status.hint.text()
 
 
-def test_words_of_the_bars_have_room_when_texts_become_larger(
-    window: MainWindow, qtbot: QtBot
-) -> None:
+def test_words_of_the_bars_have_room_when_texts_become_larger(window, qtbot):
     all_done(qtbot)
     application = QApplication.instance()
-    assert isinstance(application, QApplication)
     desks = window.desk_switch.findChildren(QToolButton)
     labels = [label for label in window.top_bar.findChildren(SteadyLabel) if label.text()]
     readouts = window.findChildren(Readout)

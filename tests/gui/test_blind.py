@@ -1,7 +1,5 @@
 """Blind mode: nothing of a camera before the commit, and what is said of edits after it."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -22,10 +20,7 @@ from procc_annotator.gui.panels.element_states import ElementState, element_stat
 from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from procc_annotator.report.overlay_scene import OverlayLook
-from tests.gui.conftest import Hand, MakeWindow, all_done, settle
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, all_done, settle
 
 HERE, OTHER = "00002", "00003"  # on screen, not committed; committed
 EMPTY = "00001"
@@ -36,7 +31,7 @@ CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.fixture
-def dataset(annotated: Path) -> Path:
+def dataset(annotated) -> Path:
     """Three frames of the sample: one empty, one with five elements, one with all."""
     for path in annotated.glob("0*.*"):
         if path.stem not in (EMPTY, HERE, OTHER):
@@ -49,7 +44,7 @@ def dataset(annotated: Path) -> Path:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
+def window(make_window, dataset, qtbot) -> MainWindow:
     """Judged by wrong cameras beside the true ones, fitted, everything switched on; one frame is
     committed."""
     window = make_window(dataset)
@@ -276,9 +271,7 @@ def telling(look: Look) -> list[str]:
     return [name for name in LOOKS if getattr(look, name)()]
 
 
-def test_nothing_tells_how_a_camera_does_before_the_commit(
-    window: MainWindow, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_nothing_tells_how_a_camera_does_before_the_commit(window, tmp_path, qtbot):
     look, document = Look(window, tmp_path, qtbot), window.document
     document.disagreement.set_enabled(True)
     qtbot.waitUntil(lambda: document.disagreement.value is not None)
@@ -297,7 +290,7 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
 
 
 @pytest.fixture
-def blind(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
+def blind(make_window, dataset, qtbot) -> MainWindow:
     """The window on a frame that nobody committed, in blind mode, with cameras and no fit."""
     window = make_window(dataset)
     document = window.document
@@ -310,7 +303,7 @@ def blind(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
 
 
 @pytest.fixture
-def told(blind: MainWindow) -> list[str]:
+def told(blind) -> list[str]:
     texts: list[str] = []
     blind.document.store.events.message.connect(lambda m: texts.append(m.text))
     return texts
@@ -338,9 +331,7 @@ def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
     return {row["name"]: row["blind"] for row in rows}
 
 
-def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
-    blind: MainWindow, told: list[str], tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(blind, told, tmp_path, qtbot):
     document = blind.document
     assert said_in_review(blind, qtbot) == ""
     document.editing.commit_frame()
@@ -367,8 +358,8 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
 
 
 def test_committing_again_does_not_make_it_blind_work_but_taking_the_edit_back_does(
-    blind: MainWindow, make_window: MakeWindow, dataset: Path, qtbot: QtBot
-) -> None:
+    blind, make_window, dataset, qtbot
+):
     document = blind.document
     document.editing.commit_frame()
     nudge(blind)
@@ -383,7 +374,7 @@ def test_committing_again_does_not_make_it_blind_work_but_taking_the_edit_back_d
     assert said_in_review(again, qtbot).startswith("Committed in blind mode")
 
 
-def test_taking_an_edit_back_makes_the_frame_done_again(blind: MainWindow, told: list[str]) -> None:
+def test_taking_an_edit_back_makes_the_frame_done_again(blind, told):
     blind.document.editing.commit_frame()
     nudge(blind)
     blind.document.editing.undo()
@@ -391,9 +382,7 @@ def test_taking_an_edit_back_makes_the_frame_done_again(blind: MainWindow, told:
     assert f"{HERE} is done again" in told[-1]
 
 
-def test_what_was_committed_with_cameras_shown_is_no_blind_work(
-    blind: MainWindow, told: list[str], qtbot: QtBot
-) -> None:
+def test_what_was_committed_with_cameras_shown_is_no_blind_work(blind, told, qtbot):
     document = blind.document
     document.blind_lock.set_blind(False)
     document.editing.commit_frame()
@@ -405,9 +394,7 @@ def test_what_was_committed_with_cameras_shown_is_no_blind_work(
     assert not [text for text in told if "cameras were shown" in text]
 
 
-def test_an_empty_frame_is_committed_by_the_second_key_only(
-    blind: MainWindow, told: list[str], qtbot: QtBot
-) -> None:
+def test_an_empty_frame_is_committed_by_the_second_key_only(blind, told, qtbot):
     document, hand = blind.document, Hand(blind)
     document.walk.go_to(document.state.workspace.index[EMPTY])
     hand.key(Qt.Key.Key_Return, CTRL)
@@ -423,7 +410,7 @@ def test_an_empty_frame_is_committed_by_the_second_key_only(
     assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
 
 
-def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbot: QtBot) -> None:
+def test_done_chosen_for_an_empty_frame_shows_what_holds(blind, qtbot):
     document = blind.document
     document.walk.go_to(document.state.workspace.index[EMPTY])
     blind.panels.show("review")
@@ -435,9 +422,7 @@ def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbo
     assert not document.state.projection_visible
 
 
-def test_exporting_says_what_blind_mode_leaves_out(
-    blind: MainWindow, told: list[str], tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_exporting_says_what_blind_mode_leaves_out(blind, told, tmp_path, qtbot):
     path = tmp_path / "jac.csv"
     blind.actions_["export_scores"].trigger()  # asks for no file
     assert "no frame is committed yet" in told[-1]
@@ -451,7 +436,7 @@ def test_exporting_says_what_blind_mode_leaves_out(
     assert [row["name"] for row in rows] == [HERE]
 
 
-def test_the_field_is_estimated_from_committed_frames_only(blind: MainWindow, qtbot: QtBot) -> None:
+def test_the_field_is_estimated_from_committed_frames_only(blind, qtbot):
     blind.actions_["field_dimensions"].trigger()
     dialog = blind.field_dimensions.dialog
     dialog.estimate_button.click()
@@ -464,12 +449,8 @@ def test_the_field_is_estimated_from_committed_frames_only(blind: MainWindow, qt
 
 
 def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
-    dataset: Path,
-    make_window: MakeWindow,
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path: Path,
-    qtbot: QtBot,
-) -> None:
+    dataset, make_window, monkeypatch, tmp_path, qtbot
+):
     (dataset / ".procc").write_text("a file where the folder belongs")
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     window = make_window(dataset)
@@ -484,7 +465,7 @@ def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
     qtbot.waitUntil(lambda: "from now on, for you alone" in told[-1])
 
 
-def test_the_picture_stands_in_a_frame_while_blind(blind: MainWindow, qtbot: QtBot) -> None:
+def test_the_picture_stands_in_a_frame_while_blind(blind, qtbot):
     shown = blind.canvas.blind_frame
     edges, badge = shown.edges, shown.badge
     view = blind.canvas.viewport()

@@ -1,11 +1,9 @@
 """Dragging the camera: with Ctrl and Alt held, a place of its wireframe goes where it belongs."""
 
-from __future__ import annotations
-
 import shutil
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +11,6 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.calibration.line_alignment.control_points import (
     control_point_errors,
@@ -38,9 +35,6 @@ from procc_annotator.interaction.camera_view import wireframe_of
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import all_done, until_kept
 from tests.gui.known_already import TrackMemory
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import MakeWindow
 
 Key, Button = Qt.Key, Qt.MouseButton
 SHIFT, CTRL, ALT = (
@@ -96,22 +90,20 @@ class CameraDrag:
 
 
 @pytest.fixture
-def truth(annotated: Path) -> PinholeCamera:
+def truth(annotated) -> PinholeCamera:
     cameras = CameraSet.open(annotated / "cameras" / "true", camera_size=(960, 540))
     found = cameras.camera("00002", SAMPLE)
-    assert found is not None
-    assert isinstance(found.camera, PinholeCamera)
     return found.camera
 
 
 @pytest.fixture
-def wrong(truth: PinholeCamera) -> PinholeCamera:
+def wrong(truth) -> PinholeCamera:
     """What the search in the picture finds: turned and zoomed away."""
     return rotated_camera(truth, np.array([0.02, 0.006, 0.03, 0.0]))
 
 
 @pytest.fixture
-def search(wrong: PinholeCamera, monkeypatch: pytest.MonkeyPatch) -> None:
+def search(wrong, monkeypatch) -> None:
     def propose(picture: PixelArray, field: Field, **_: Any) -> Proposal:
         size = picture.shape[1], picture.shape[0]
         fit = external_camera_fit(wrong.scaled(SAMPLE, size), size)
@@ -121,7 +113,7 @@ def search(wrong: PinholeCamera, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, annotated: Path, search: None, qtbot: QtBot) -> MainWindow:
+def window(make_window, annotated, search, qtbot) -> MainWindow:
     (annotated / "00002.json").unlink()
     made = make_window(annotated)
     made.document.walk.go_to(1)
@@ -130,14 +122,12 @@ def window(make_window: MakeWindow, annotated: Path, search: None, qtbot: QtBot)
 
 
 @pytest.fixture
-def drag(window: MainWindow) -> CameraDrag:
+def drag(window) -> CameraDrag:
     return CameraDrag(window)
 
 
 def camera_of(window: MainWindow) -> PinholeCamera:
     found = window.document.corrections.here
-    assert found is not None
-    assert isinstance(found.fit.camera, PinholeCamera)
     return found.fit.camera
 
 
@@ -156,24 +146,18 @@ def corners(
     rows = rows[np.argsort(frame.px[rows, 0])]
     assert len(rows) >= 3
     chosen = [rows[0], rows[-1], *rows[1:-1]]
-    return [((*frame.px[r].tolist(),), (*belong[r].tolist(),)) for r in chosen]  # type: ignore[misc]
+    return [((*frame.px[r].tolist(),), (*belong[r].tolist(),)) for r in chosen]
 
 
 @pytest.fixture
-def places(
-    window: MainWindow, wrong: PinholeCamera, truth: PinholeCamera
-) -> list[tuple[Place, Place]]:
+def places(window, wrong, truth) -> list[tuple[Place, Place]]:
     return corners(window, wrong, truth)
 
 
 class TestTakingHold:
     def test_the_wireframe_and_the_place_under_the_cursor_are_shown(
-        self,
-        window: MainWindow,
-        drag: CameraDrag,
-        places: list[tuple[Place, Place]],
-        qtbot: QtBot,
-    ) -> None:
+        self, window, drag, places, qtbot
+    ):
         hand = window.canvas.camera_hand
         assert window.canvas.overlay_item.ghosts.strokes
         drag.move(places[0][0])
@@ -192,7 +176,7 @@ class TestTakingHold:
         assert window.canvas.overlay_item.ghosts.strokes
         qtbot.waitUntil(lambda: window.status.hint.text().startswith("DRAW"))
 
-    def test_the_keys_alone_show_it(self, window: MainWindow, drag: CameraDrag) -> None:
+    def test_the_keys_alone_show_it(self, window, drag):
         QTest.keyPress(window.canvas, Key.Key_Control)
         assert not window.canvas.camera_hand.held
         QTest.keyPress(window.canvas, Key.Key_Alt, CTRL)
@@ -201,18 +185,14 @@ class TestTakingHold:
         assert not window.canvas.camera_hand.held
         QTest.keyRelease(window.canvas, Key.Key_Control)
 
-    def test_a_click_of_it_draws_nothing(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
-    ) -> None:
+    def test_a_click_of_it_draws_nothing(self, window, drag, places):
         window.document.selecting.select_class("Middle line")
         drag.drag((700.0, 690.0), (730.0, 680.0))  # no line is there
         drag.drag(places[0][0], places[0][0])
         assert not window.canvas.editor.drawing
         assert window.document.corrections.here is None
 
-    def test_not_in_blind_mode(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
-    ) -> None:
+    def test_not_in_blind_mode(self, window, drag, places):
         drag.drag(*places[0])
         window.document.blind_lock.set_blind(True)
         assert not window.canvas.camera_hand.item.overlay.marks
@@ -230,9 +210,7 @@ def camera_pegs(window: MainWindow) -> tuple[Any, ...]:
 
 
 class TestDragging:
-    def test_the_place_lies_under_the_cursor_all_the_way(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
-    ) -> None:
+    def test_the_place_lies_under_the_cursor_all_the_way(self, window, drag, places):
         start, end = places[0]
         hand = window.canvas.camera_hand
         for share in (0.4, 0.8, 1.0):
@@ -246,20 +224,14 @@ class TestDragging:
         assert window.document.corrections.here is None  # nothing before the button goes up
 
     def test_the_camera_is_made_exact_on_paint_and_ghosts_follow(
-        self,
-        window: MainWindow,
-        drag: CameraDrag,
-        places: list[tuple[Place, Place]],
-        truth: PinholeCamera,
-        qtbot: QtBot,
-    ) -> None:
+        self, window, drag, places, truth, qtbot
+    ):
         before = {ghost.name: ghost for ghost in window.document.ghosts.painted}
         drag.drag(*places[0])
         drag.move(places[0][1], keys=Qt.KeyboardModifier.NoModifier)
         all_done(qtbot)
 
         found = window.document.corrections.here
-        assert found is not None
         assert found.why_not == ""
         spots = wireframe_of(truth, window.document.state.field, SAMPLE).places
         apart = camera_of(window).project(spots)[0] - truth.project(spots)[0]
@@ -273,15 +245,12 @@ class TestDragging:
         )
         assert len(window.canvas.camera_hand.item.overlay.marks[0].centres) == 1
 
-    def test_a_second_place_leaves_the_first_where_it_was_put(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+    def test_a_second_place_leaves_the_first_where_it_was_put(self, window, drag, places, qtbot):
         drag.drag(*places[0])
         all_done(qtbot)
         first = camera_pegs(window)[0]
         world = wireframe_of(camera_of(window), window.document.state.field, SAMPLE)
         start = world.at(places[1][1], 30.0)
-        assert start is not None
         end = start.px[0] + 12.0, start.px[1] - 7.0
         drag.carry(start.px, (start.px[0] + 9.0, start.px[1]), end)
         hand = window.canvas.camera_hand
@@ -294,9 +263,7 @@ class TestDragging:
         assert len(camera_pegs(window)) == 2
         all_done(qtbot)
 
-    def test_a_click_takes_a_peg_away_and_a_drag_moves_it(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+    def test_a_click_takes_a_peg_away_and_a_drag_moves_it(self, window, drag, places, qtbot):
         drag.drag(*places[0])
         all_done(qtbot)
         peg = camera_pegs(window)[0]
@@ -316,20 +283,18 @@ class TestDragging:
         assert camera_pegs(window) == (moved,)
 
     def test_let_go_beyond_what_a_camera_can_show_the_peg_lies_where_the_camera_shows_it(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+        self, window, drag, places, qtbot
+    ):
         drag.drag(*places[0])
         all_done(qtbot)
         start = wireframe_of(camera_of(window), window.document.state.field, SAMPLE).at(
             places[1][1], 30.0
         )
-        assert start is not None
         drag.drag(start.px, (start.px[0] + 12.0, start.px[1]))
         all_done(qtbot)
         start = wireframe_of(camera_of(window), window.document.state.field, SAMPLE).at(
             places[2][1], 30.0
         )
-        assert start is not None
         near, beyond = (start.px[0] + 12.0, start.px[1]), (start.px[0] + 900.0, start.px[1])
         drag.carry(start.px, near, beyond)
         shown = window.canvas.camera_hand.item.overlay.marks[-1].centres[0].tolist()
@@ -338,8 +303,8 @@ class TestDragging:
         assert camera_pegs(window)[-1].px == pytest.approx(shown, abs=0.1)
 
     def test_the_mouse_button_that_moves_the_picture_meanwhile_does_not_end_it(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+        self, window, drag, places, qtbot
+    ):
         canvas, middle = window.canvas, Button.MiddleButton
         drag.carry(*places[0])
         at = drag.at(places[0][1])
@@ -351,9 +316,7 @@ class TestDragging:
         assert not canvas.panning
         assert len(camera_pegs(window)) == 1
 
-    def test_a_release_that_went_elsewhere_leaves_it_where_it_was_seen(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
-    ) -> None:
+    def test_a_release_that_went_elsewhere_leaves_it_where_it_was_seen(self, window, drag, places):
         drag.carry(*places[0])
         drag.move(places[0][0])
         assert not window.canvas.camera_hand.dragging
@@ -362,9 +325,7 @@ class TestDragging:
 
 
 class TestTakingBack:
-    def test_escape_while_dragging_and_right_after(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+    def test_escape_while_dragging_and_right_after(self, window, drag, places, qtbot):
         drag.carry(*places[0])
         window.canvas.key("Escape")
         drag.release(places[0][1])
@@ -376,9 +337,7 @@ class TestTakingBack:
         window.canvas.key("Escape")
         assert window.document.corrections.here is None
 
-    def test_undo_goes_back_drag_by_drag_and_then_to_the_edits(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+    def test_undo_goes_back_drag_by_drag_and_then_to_the_edits(self, window, drag, places, qtbot):
         drag.drag(*places[0])
         all_done(qtbot)
         first = camera_of(window)
@@ -393,9 +352,7 @@ class TestTakingBack:
         window.canvas.undo()
         assert said == ["nothing to undo on this frame"]
 
-    def test_an_edit_after_it_is_undone_first(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
-    ) -> None:
+    def test_an_edit_after_it_is_undone_first(self, window, drag, places, qtbot):
         drag.drag(*places[0])
         all_done(qtbot)
         QTest.keyClick(window.canvas, Key.Key_Return, SHIFT)
@@ -408,13 +365,8 @@ class TestTakingBack:
 
 class TestWhatComesOfIt:
     def test_nothing_is_saved_before_ghosts_are_accepted(
-        self,
-        window: MainWindow,
-        annotated: Path,
-        drag: CameraDrag,
-        places: list[tuple[Place, Place]],
-        qtbot: QtBot,
-    ) -> None:
+        self, window, annotated, drag, places, qtbot
+    ):
         document = window.document
         drag.drag(*places[0])
         all_done(qtbot)
@@ -425,21 +377,14 @@ class TestWhatComesOfIt:
         all_done(qtbot)
         until_kept()
         assert (annotated / "00002.json").exists()
-        assert document.state.frame is not None
         counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
         assert set(counts) == {OriginKind.ACCEPTED}
         assert not document.corrections.rules  # the clicks say more
-        assert document.foresight.insight is not None
         assert document.foresight.insight.from_clicks
 
     def test_it_stays_with_its_frame_and_goes_with_the_dataset(
-        self,
-        window: MainWindow,
-        dataset: Path,
-        drag: CameraDrag,
-        places: list[tuple[Place, Place]],
-        qtbot: QtBot,
-    ) -> None:
+        self, window, dataset, drag, places, qtbot
+    ):
         drag.drag(*places[0])
         all_done(qtbot)
         window.document.walk.go_to(2)
@@ -454,8 +399,8 @@ class TestWhatComesOfIt:
         assert not window.document.state.corrected
 
     def test_the_fit_to_clicks_and_a_loaded_camera_can_be_dragged(
-        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot, truth: PinholeCamera
-    ) -> None:
+        self, make_window, annotated, qtbot, truth
+    ):
         window = make_window(annotated)
         document = window.document
         document.walk.go_to(1)
@@ -464,7 +409,6 @@ class TestWhatComesOfIt:
         drag = CameraDrag(window)
         frame = wireframe_of(truth, document.state.field, SAMPLE)
         start = frame.at((480.0, 270.0), 500.0)
-        assert start is not None
         drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
         assert document.corrections.rules
         window.canvas.undo()
@@ -476,9 +420,7 @@ class TestWhatComesOfIt:
         drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
         assert document.corrections.rules
 
-    def test_without_a_camera_it_is_said(
-        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_without_a_camera_it_is_said(self, make_window, annotated, qtbot):
         window = make_window(annotated)
         window.document.live_fit.set_wanted(False)
         all_done(qtbot)
@@ -495,7 +437,7 @@ def drawn() -> DrawnShot:
 
 
 @pytest.fixture(scope="module")
-def written(drawn: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def written(drawn, tmp_path_factory) -> Path:
     path = tmp_path_factory.mktemp("drawn") / "match.mp4"
     return write_video(path, [drawn.frame(n) for n in range(COUNT)])
 
@@ -506,7 +448,7 @@ def tracks() -> TrackMemory:
 
 
 @pytest.fixture(autouse=True)
-def tracked_once(tracks: TrackMemory, monkeypatch: pytest.MonkeyPatch) -> None:
+def tracked_once(tracks, monkeypatch) -> None:
     """The shot is followed in the first test that needs it; so is what lies around an anchor."""
     tracks.hand_out(monkeypatch)
 
@@ -514,14 +456,7 @@ def tracked_once(tracks: TrackMemory, monkeypatch: pytest.MonkeyPatch) -> None:
 class TestInAShot:
     @pytest.fixture
     def shot(
-        self,
-        make_window: MakeWindow,
-        dataset: Path,
-        written: Path,
-        tmp_path: Path,
-        drawn: DrawnShot,
-        qtbot: QtBot,
-        monkeypatch: pytest.MonkeyPatch,
+        self, make_window, dataset, written, tmp_path, drawn, qtbot, monkeypatch
     ) -> MainWindow:
         def propose(*_: Any, **__: Any) -> Proposal:
             fit = external_camera_fit(drawn.cameras[0], SHOT)
@@ -546,12 +481,8 @@ class TestInAShot:
         return window
 
     def test_the_frame_is_an_anchor_and_what_lies_around_it_is_followed_again(
-        self,
-        shot: MainWindow,
-        drawn: DrawnShot,
-        qtbot: QtBot,
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:
+        self, shot, drawn, qtbot, monkeypatch
+    ):
         document, track = shot.document, following.track_shot
         asked: list[dict[int, Any]] = []
 
@@ -581,12 +512,7 @@ class TestInAShot:
         assert document.shot_track.tracked[7].anchor_distance == 1
         assert len(document.shot_track.tracked) == COUNT
 
-    def test_taken_back_it_is_no_anchor_any_more(
-        self,
-        shot: MainWindow,
-        drawn: DrawnShot,
-        qtbot: QtBot,
-    ) -> None:
+    def test_taken_back_it_is_no_anchor_any_more(self, shot, drawn, qtbot):
         document = shot.document
         document.walk.go_to(2)
         all_done(qtbot)

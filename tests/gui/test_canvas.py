@@ -1,24 +1,13 @@
 """Drawing and editing with mouse and keys on the real window."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QNativeGestureEvent, QPointingDevice, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, ReadPoints
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 ALT = Qt.KeyboardModifier.AltModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -39,7 +28,7 @@ def wheel(window: MainWindow, at: QPointF, steps: int) -> None:
 
 
 class TestWhere:
-    def test_the_corner_pixels_have_the_coordinates_of_the_format(self, window: MainWindow) -> None:
+    def test_the_corner_pixels_have_the_coordinates_of_the_format(self, window):
         canvas = window.canvas
         canvas.set_scale(8.0)
         for x, y in ((0.0, 0.0), (SIZE[0] - 1.0, SIZE[1] - 1.0), (17.25, 3.5)):
@@ -48,17 +37,13 @@ class TestWhere:
             in_scene = canvas.mapToScene(canvas.to_view(x, y).toPoint())
             assert abs(in_scene.x() - (x + 0.5)) <= 1 / canvas.view_scale
 
-    def test_at_actual_size_a_screen_pixel_is_the_centre_of_its_picture_pixel(
-        self, window: MainWindow
-    ) -> None:
+    def test_at_actual_size_a_screen_pixel_is_the_centre_of_its_picture_pixel(self, window):
         window.canvas.actual_size()
         x, y = window.canvas.to_picture(QPointF(100, 100))
         assert x == pytest.approx(round(x), abs=1e-9)
         assert y == pytest.approx(round(y), abs=1e-9)
 
-    def test_the_status_bar_shows_the_cursor_in_picture_pixels(
-        self, window: MainWindow, hand: Hand
-    ) -> None:
+    def test_the_status_bar_shows_the_cursor_in_picture_pixels(self, window, hand):
         hand.move(200, 100)
         x, y = hand.picture(200, 100)
         assert window.status.pixels.text() == f"{x:.1f} {y:.1f} px"
@@ -95,7 +80,7 @@ def pinch(window: MainWindow, at: QPointF, by: float) -> None:
 
 
 class TestZoomAndPan:
-    def test_two_fingers_pan(self, window: MainWindow) -> None:
+    def test_two_fingers_pan(self, window):
         canvas = window.canvas
         canvas.set_scale(4.0)
         before = canvas.to_picture(QPointF(200, 200))
@@ -103,12 +88,12 @@ class TestZoomAndPan:
         assert canvas.view_scale == 4.0
         assert canvas.to_picture(QPointF(230, 150)) == pytest.approx(before, abs=0.3)
 
-    def test_ctrl_makes_two_fingers_zoom(self, window: MainWindow) -> None:
+    def test_ctrl_makes_two_fingers_zoom(self, window):
         window.canvas.set_scale(4.0)
         scroll(window, (0, 120), fingers=True, held=CTRL)
         assert window.canvas.view_scale == pytest.approx(4.8)
 
-    def test_a_pinch_zooms_at_the_fingers(self, window: MainWindow, hand: Hand) -> None:
+    def test_a_pinch_zooms_at_the_fingers(self, window, hand):
         canvas = window.canvas
         canvas.set_scale(4.0)
         at = QPointF(300, 200)
@@ -122,9 +107,7 @@ class TestZoomAndPan:
         [((120, 0), Qt.KeyboardModifier.NoModifier), ((0, 120), SHIFT)],
         ids=["tilted", "with Shift"],
     )
-    def test_a_wheel_goes_sideways(
-        self, window: MainWindow, turned: tuple[int, int], held: Qt.KeyboardModifier
-    ) -> None:
+    def test_a_wheel_goes_sideways(self, window, turned, held):
         canvas = window.canvas
         canvas.set_scale(4.0)
         before = canvas.to_picture(QPointF(200, 200))
@@ -132,7 +115,7 @@ class TestZoomAndPan:
         assert canvas.view_scale == 4.0
         assert canvas.to_picture(QPointF(260, 200)) == pytest.approx(before, abs=0.3)
 
-    def test_the_wheel_keeps_what_is_under_the_cursor(self, window: MainWindow, hand: Hand) -> None:
+    def test_the_wheel_keeps_what_is_under_the_cursor(self, window, hand):
         at = QPointF(hand.at(500, 80))
         before = window.canvas.to_picture(at)
         scale = window.canvas.view_scale
@@ -141,9 +124,7 @@ class TestZoomAndPan:
         after = window.canvas.to_picture(at)
         assert np.hypot(after[0] - before[0], after[1] - before[1]) * window.canvas.view_scale < 1.5
 
-    def test_zoom_ends_at_6400_percent_and_at_the_whole_picture(
-        self, window: MainWindow, hand: Hand
-    ) -> None:
+    def test_zoom_ends_at_6400_percent_and_at_the_whole_picture(self, window, hand):
         at = QPointF(hand.at(320, 180))
         wheel(window, at, 60)
         assert window.canvas.view_scale == 64.0
@@ -151,9 +132,7 @@ class TestZoomAndPan:
         assert window.canvas.view_scale == pytest.approx(min(1.0, window.canvas.fit_scale))
 
     @pytest.mark.parametrize("mode", ["draw", "edit"])
-    def test_the_middle_button_pans_and_draws_nothing(
-        self, window: MainWindow, hand: Hand, mode: str
-    ) -> None:
+    def test_the_middle_button_pans_and_draws_nothing(self, window, hand, mode):
         window.document.selecting.set_mode(mode)
         window.document.selecting.select_class(MIDDLE)
         window.canvas.set_scale(4.0)
@@ -163,7 +142,7 @@ class TestZoomAndPan:
         assert (after[0] - before[0], after[1] - before[1]) == pytest.approx((-10, -5), abs=0.6)
         assert not window.canvas.editor.drawing
 
-    def test_space_and_drag_pans_while_drawing(self, window: MainWindow, hand: Hand) -> None:
+    def test_space_and_drag_pans_while_drawing(self, window, hand):
         window.document.selecting.select_class(MIDDLE)
         hand.click(300, 100)
         window.canvas.set_scale(4.0)
@@ -176,10 +155,9 @@ class TestZoomAndPan:
         hand.click(310, 160)
         hand.key(Qt.Key.Key_Return)
         polyline = window.document.state.annotation.get(MIDDLE)
-        assert polyline is not None
         assert len(polyline.points) == 2
 
-    def test_zoom_stays_across_frames_on_request_only(self, window: MainWindow, hand: Hand) -> None:
+    def test_zoom_stays_across_frames_on_request_only(self, window, hand):
         window.canvas.set_scale(6.0)
         hand.key(Qt.Key.Key_D)
         assert window.canvas.view_scale == pytest.approx(window.canvas.fit_scale)
@@ -189,7 +167,7 @@ class TestZoomAndPan:
         assert window.document.state.frame_index == 0
         assert window.canvas.view_scale == 6.0
 
-    def test_magnified_pixels_are_not_smoothed(self, window: MainWindow) -> None:
+    def test_magnified_pixels_are_not_smoothed(self, window):
         window.canvas.set_scale(32.0)
         window.canvas.fly_to(40.0, 100.0)  # a border between two stripes
         window.canvas.drawing.set_hidden(True)
@@ -199,24 +177,18 @@ class TestZoomAndPan:
 
 
 class TestDraw:
-    def test_clicks_and_enter_make_an_element_saved_where_it_was_clicked(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_clicks_and_enter_make_an_element_saved_where_it_was_clicked(self, window, hand, saved):
         clicked = hand.draw(MIDDLE, (100, 50), (150, 200), (180, 300))
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
 
-    def test_a_double_click_finishes_without_doubling_the_point(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_a_double_click_finishes_without_doubling_the_point(self, window, hand, saved):
         window.document.selecting.select_class(MIDDLE)
         first = hand.click(100, 50)
         last = hand.double_click(400, 250)
         np.testing.assert_allclose(saved(), [first, last], atol=1e-9)
         assert not window.canvas.editor.drawing
 
-    def test_backspace_takes_back_the_last_point_and_escape_all(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_backspace_takes_back_the_last_point_and_escape_all(self, window, hand, saved):
         window.document.selecting.select_class(MIDDLE)
         kept = [hand.click(100, 50), hand.click(120, 90)]
         hand.click(500, 300)
@@ -229,9 +201,7 @@ class TestDraw:
         assert saved(TOP).size == 0
         assert window.document.state.annotation.annotated == (MIDDLE,)
 
-    def test_points_of_a_draft_survive_a_change_of_frame(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_points_of_a_draft_survive_a_change_of_frame(self, window, hand, saved):
         window.document.selecting.select_class(MIDDLE)
         clicked = [hand.click(100, 50), hand.click(120, 90)]
         hand.key(Qt.Key.Key_D)
@@ -239,17 +209,16 @@ class TestDraw:
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
         assert "Halfway line" in window.status.hint.text()
 
-    def test_undo_while_drawing_takes_back_a_point(self, window: MainWindow, hand: Hand) -> None:
+    def test_undo_while_drawing_takes_back_a_point(self, window, hand):
         window.document.selecting.select_class(MIDDLE)
         hand.click(100, 50)
         hand.click(120, 90)
         hand.key(Qt.Key.Key_Z, CTRL)
         hand.key(Qt.Key.Key_Return)
         polyline = window.document.state.annotation.get(MIDDLE)
-        assert polyline is not None
         assert len(polyline.points) == 1
 
-    def test_the_hint_says_what_the_next_click_does(self, window: MainWindow, hand: Hand) -> None:
+    def test_the_hint_says_what_the_next_click_does(self, window, hand):
         without = window.canvas.hint
         window.document.selecting.select_class(MIDDLE)
         chosen = window.canvas.hint
@@ -262,9 +231,7 @@ class TestDraw:
 
 
 class TestEdit:
-    def test_dragging_a_point_moves_it_in_one_step(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_dragging_a_point_moves_it_in_one_step(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (150, 200))
         window.document.selecting.set_mode("edit")
         start, end = hand.picture(100, 50), hand.picture(220, 90)
@@ -275,9 +242,7 @@ class TestEdit:
         hand.key(Qt.Key.Key_Z, CTRL)
         assert saved()[0] == pytest.approx(start, abs=1e-6)
 
-    def test_a_point_is_picked_within_ten_screen_pixels_only(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_a_point_is_picked_within_ten_screen_pixels_only(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (150, 200))
         before = saved()
         window.document.selecting.set_mode("edit")
@@ -287,9 +252,7 @@ class TestEdit:
         hand.drag((100 - 7 * screen, 50), (300, 50))
         assert saved()[0][0] > 250
 
-    def test_alt_click_on_a_segment_inserts_a_point_there(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_alt_click_on_a_segment_inserts_a_point_there(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 250))
         window.document.selecting.set_mode("edit")
         hand.click(100, 150, ALT)
@@ -297,9 +260,7 @@ class TestEdit:
         assert len(points) == 3
         assert points[1] == pytest.approx((100, 150), abs=1.5)
 
-    def test_alt_shift_click_and_delete_remove_points(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_alt_shift_click_and_delete_remove_points(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150), (100, 250))
         window.document.selecting.set_mode("edit")
         hand.click(100, 150, ALT | SHIFT)
@@ -308,9 +269,7 @@ class TestEdit:
         hand.key(Qt.Key.Key_Delete)
         assert len(saved()) == 1
 
-    def test_arrows_nudge_by_one_and_a_tenth_of_a_pixel(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_arrows_nudge_by_one_and_a_tenth_of_a_pixel(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150))
         window.document.selecting.set_mode("edit")
         hand.click(100, 50)
@@ -319,9 +278,7 @@ class TestEdit:
         hand.key(Qt.Key.Key_Up, SHIFT)
         assert saved()[0] - before == pytest.approx((1.0, -0.1), abs=1e-9)
 
-    def test_undo_and_redo_have_no_limit(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_undo_and_redo_have_no_limit(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150))
         window.document.selecting.set_mode("edit")
         hand.click(100, 50)
@@ -336,9 +293,7 @@ class TestEdit:
             hand.key(Qt.Key.Key_Z, CTRL | SHIFT)
         np.testing.assert_allclose(saved(), end, atol=1e-9)
 
-    def test_undo_belongs_to_its_frame(
-        self, window: MainWindow, hand: Hand, saved: ReadPoints
-    ) -> None:
+    def test_undo_belongs_to_its_frame(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150))
         hand.key(Qt.Key.Key_D)
         hand.key(Qt.Key.Key_Z, CTRL)
@@ -348,7 +303,7 @@ class TestEdit:
         assert len(saved()) == 0
 
 
-def test_hovering_a_line_tells_every_widget(window: MainWindow, hand: Hand) -> None:
+def test_hovering_a_line_tells_every_widget(window, hand):
     hand.draw(MIDDLE, (100, 50), (100, 250))
     window.document.selecting.set_mode("edit")
     hand.move(100, 150)
@@ -357,7 +312,7 @@ def test_hovering_a_line_tells_every_widget(window: MainWindow, hand: Hand) -> N
     assert window.document.state.hovered_class is None
 
 
-def test_holding_x_shows_the_bare_picture(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+def test_holding_x_shows_the_bare_picture(window, hand, qtbot):
     hand.draw(MIDDLE, (100, 50), (100, 250))
     assert any(len(s.segments) for s in window.canvas.overlay_item.overlay.strokes)
     QTest.keyPress(window.canvas, Qt.Key.Key_X)
@@ -366,9 +321,7 @@ def test_holding_x_shows_the_bare_picture(window: MainWindow, hand: Hand, qtbot:
     assert any(len(s.segments) for s in window.canvas.overlay_item.overlay.strokes)
 
 
-def test_ctrl_delete_removes_the_element_while_drawing_too(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_ctrl_delete_removes_the_element_while_drawing_too(window, hand, saved):
     told: list[str] = []
     window.document.store.events.message.connect(lambda m: told.append(m.text))
     hand.draw("Middle line", (300, 60), (310, 300))

@@ -1,12 +1,9 @@
 """What is painted again when an overlay gives way to another one: all that differs, by places."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QImage, QPainter
-from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.canvas.items import paint_overlay
 from procc_annotator.gui.canvas.overlay_item import changed_areas
@@ -33,14 +30,14 @@ def overlay(moving: Strokes, mark: PointMarks = DOT, *texts: str) -> Overlay:
     return Overlay((STILL, moving), (mark,), (Labels(at, texts, "#ffffff"),))
 
 
-def test_nothing_is_painted_where_nothing_differs() -> None:
+def test_nothing_is_painted_where_nothing_differs():
     same = lines((0, 0, 10, 10))
     assert changed_areas(overlay(same), overlay(same), 1.0) == []
     assert changed_areas(overlay(same), overlay(lines((0, 0, 10, 10))), 1.0) == []
     assert changed_areas(overlay(lines()), overlay(lines()), 1.0) == []
 
 
-def test_places_far_apart_are_painted_apart() -> None:
+def test_places_far_apart_are_painted_apart():
     moved = PointMarks(np.array([[905.0, 50.0]]), "dot", "#00ff00", 6.0)
     areas = changed_areas(
         overlay(lines((0, 0, 10, 10))), overlay(lines((0, 0, 20, 10)), moved), 1.0
@@ -51,7 +48,7 @@ def test_places_far_apart_are_painted_apart() -> None:
     assert not any(area.contains(QPointF(550, 550)) for area in areas)
 
 
-def test_a_line_more_or_less_or_of_another_colour_is_painted() -> None:
+def test_a_line_more_or_less_or_of_another_colour_is_painted():
     one, more = lines((0, 0, 10, 10)), lines((0, 0, 10, 10), (200, 0, 210, 10))
     for before, after in ((one, more), (more, one)):
         (area,) = changed_areas(overlay(before), overlay(after), 1.0)
@@ -61,7 +58,7 @@ def test_a_line_more_or_less_or_of_another_colour_is_painted() -> None:
     assert area.contains(QPointF(5, 5))
 
 
-def test_only_the_text_that_differs_is_painted() -> None:
+def test_only_the_text_that_differs_is_painted():
     one = lines((0, 0, 10, 10))
     (area,) = changed_areas(overlay(one, DOT, "4.2", "7"), overlay(one, DOT, "4.3", "7"), 1.0)
     assert area.contains(QPointF(300, 700))
@@ -80,7 +77,7 @@ def test_only_the_text_that_differs_is_painted() -> None:
     ],
 )
 @pytest.mark.parametrize("scale", [0.5, 1.0, 3.0])
-def test_what_goes_leaves_no_stain(qapp: QApplication, label: Labels, scale: float) -> None:
+def test_what_goes_leaves_no_stain(qapp, label, scale):
     image = QImage(900, 900, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(Qt.GlobalColor.transparent)
     gone = Overlay((), (), (label,))

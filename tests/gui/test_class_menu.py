@@ -1,11 +1,8 @@
 """Every class can be reached, suggestions come first, names reach the caller exactly."""
 
-from __future__ import annotations
-
 import pytest
 from PySide6.QtGui import QAction, QColor
 from PySide6.QtWidgets import QMenu, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
@@ -15,7 +12,7 @@ FIELD = load_field("soccer")
 
 
 @pytest.fixture
-def parent(qtbot: QtBot) -> QWidget:
+def parent(qtbot) -> QWidget:
     widget = QWidget()
     qtbot.addWidget(widget)
     return widget
@@ -34,7 +31,7 @@ def _colour(action: QAction) -> str:
     return image.pixelColor(image.width() // 2, image.height() // 2).name()
 
 
-def test_all_classes_by_group(parent: QWidget) -> None:
+def test_all_classes_by_group(parent):
     menu = class_menu(parent, FIELD, "Change class to", chosen=lambda name: None)
     assert menu.title() == "Change class to"
     groups = _groups(menu)
@@ -47,7 +44,7 @@ def test_all_classes_by_group(parent: QWidget) -> None:
     assert not [a for a in menu.actions() if a.isSeparator()]
 
 
-def test_entries_have_title_key_and_colour_but_take_no_key(parent: QWidget) -> None:
+def test_entries_have_title_key_and_colour_but_take_no_key(parent):
     menu = class_menu(parent, FIELD, "Merge into", chosen=lambda name: None)
     for action in _entries(menu):
         element = FIELD.element(action.data())
@@ -59,7 +56,7 @@ def test_entries_have_title_key_and_colour_but_take_no_key(parent: QWidget) -> N
         assert action.shortcut().isEmpty()
 
 
-def test_suggestions_come_first_and_once(parent: QWidget) -> None:
+def test_suggestions_come_first_and_once(parent):
     first = ["Goal left post left ", "Side line top", "Goal left post left ", "Box & line"]
     menu = class_menu(parent, FIELD, "Split", first=first, chosen=lambda name: None)
     top = menu.actions()[:4]
@@ -69,7 +66,7 @@ def test_suggestions_come_first_and_once(parent: QWidget) -> None:
     assert len(_entries(menu)) == len(FIELD.elements) + len(FIELD.classes_without_geometry)
 
 
-def test_choosing_tells_the_exact_class_name(parent: QWidget) -> None:
+def test_choosing_tells_the_exact_class_name(parent):
     chosen: list[str] = []
     menu = class_menu(parent, FIELD, "Split", first=["Circle left"], chosen=chosen.append)
     menu.actions()[0].trigger()
@@ -79,7 +76,7 @@ def test_choosing_tells_the_exact_class_name(parent: QWidget) -> None:
     assert chosen == ["Circle left", "Goal left post left "]
 
 
-def test_disabled_classes_stay_but_cannot_be_chosen(parent: QWidget) -> None:
+def test_disabled_classes_stay_but_cannot_be_chosen(parent):
     chosen: list[str] = []
     arcs = {e.name for e in FIELD.elements if e.group == "Left goal"} | {"Circle left"}
     menu = class_menu(
@@ -94,7 +91,7 @@ def test_disabled_classes_stay_but_cannot_be_chosen(parent: QWidget) -> None:
     assert enabled["Left penalty area"]
 
 
-def test_a_field_without_more_classes(parent: QWidget) -> None:
+def test_a_field_without_more_classes(parent):
     field = Field("small", "Small", (), FIELD.elements[:2], {})
     menu = class_menu(parent, field, "Split", chosen=lambda name: None)
     assert list(_groups(menu)) == [FIELD.elements[0].group]

@@ -1,7 +1,5 @@
 """Nothing of a window is left once it is closed."""
 
-from __future__ import annotations
-
 import gc
 import os
 import threading
@@ -62,7 +60,7 @@ def open_files() -> int:
 
 @pytest.mark.new_window
 @pytest.mark.parametrize("windows", [6, pytest.param(20, marks=pytest.mark.soak)])
-def test_windows_leave_nothing_behind(qtbot: QtBot, annotated: Path, windows: int) -> None:
+def test_windows_leave_nothing_behind(qtbot, annotated, windows):
     open_and_close(qtbot, annotated)  # what is made once and kept (threads, icons) is there then
     before, files, running = alive(), open_files(), threads()
     left = [ref for _ in range(windows) for ref in open_and_close(qtbot, annotated)]

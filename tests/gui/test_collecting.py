@@ -1,12 +1,9 @@
 """Garbage goes on the interface's thread, between gestures."""
 
-from __future__ import annotations
-
 import gc
 import threading
 import weakref
 
-import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
@@ -27,7 +24,7 @@ def litter() -> list[list[object]]:
     return [[] for _ in range(MANY)]
 
 
-def test_garbage_goes_once_there_may_be_much(qapp: QApplication) -> None:
+def test_garbage_goes_once_there_may_be_much(qapp):
     gc.collect()
     gone = weakref.ref(Cycle())
     collect_now_and_then()
@@ -38,9 +35,7 @@ def test_garbage_goes_once_there_may_be_much(qapp: QApplication) -> None:
     assert len(kept) == MANY
 
 
-def test_nothing_is_collected_during_a_gesture(
-    qapp: QApplication, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_collected_during_a_gesture(qapp, monkeypatch):
     gc.collect()
     gone, kept = weakref.ref(Cycle()), litter()
     with monkeypatch.context() as held:
@@ -52,7 +47,7 @@ def test_nothing_is_collected_during_a_gesture(
     assert len(kept) == MANY
 
 
-def test_no_other_thread_ends_what_qt_owns(qapp: QApplication, qtbot) -> None:
+def test_no_other_thread_ends_what_qt_owns(qapp, qtbot):
     gc.collect()
     ended: list[int] = []
     timers = set(qapp.findChildren(QTimer))

@@ -1,22 +1,13 @@
 """The command palette finds whatever has a name, and calls it; the sheet's rows call, too."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import CALLED, RECENT, Settings
 from procc_annotator.gui.window.key_sheet import KeySheet
-from tests.gui.conftest import Hand, MakeWindow, ReadPoints
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 K = Qt.Key.Key_K
@@ -38,7 +29,7 @@ def _enter(window: MainWindow) -> None:
     QTest.keyClick(window.palette_.search, Qt.Key.Key_Return)
 
 
-def test_an_action_is_called_by_a_few_letters(window: MainWindow) -> None:
+def test_an_action_is_called_by_a_few_letters(window):
     before = window.document.state.blind
     _type(window, "blind mo")
     assert _titles(window)[0] == "Blind mode"
@@ -63,18 +54,17 @@ def test_an_action_is_called_by_a_few_letters(window: MainWindow) -> None:
         ("model R+", "Live fit: model R+"),
     ],
 )
-def test_everything_is_found(window: MainWindow, text: str, title: str) -> None:
+def test_everything_is_found(window, text, title):
     _type(window, text)
     assert title in _titles(window)[:3]
 
 
-def test_elements_frames_and_thresholds_are_chosen(window: MainWindow) -> None:
+def test_elements_frames_and_thresholds_are_chosen(window):
     _type(window, "centre circle")
     _enter(window)
     assert window.document.state.selected_class == "Circle central"
     _type(window, "frame_2")
     _enter(window)
-    assert window.document.state.frame is not None
     assert window.document.state.frame.name == "frame_2"
     _type(window, "7,5")
     _enter(window)
@@ -85,9 +75,7 @@ def test_elements_frames_and_thresholds_are_chosen(window: MainWindow) -> None:
     assert window.document.state.frame_index == 2
 
 
-def test_folders_of_before_are_opened(
-    make_window: MakeWindow, dataset: Path, tmp_path: Path
-) -> None:
+def test_folders_of_before_are_opened(make_window, dataset, tmp_path):
     other = tmp_path / "second match"
     other.mkdir()
     (other / "kick.png").write_bytes((dataset / "frame_0.png").read_bytes())
@@ -95,11 +83,10 @@ def test_folders_of_before_are_opened(
     window = make_window(dataset)
     _type(window, "second match")
     _enter(window)
-    assert window.document.state.frame is not None
     assert window.document.state.frame.name == "kick"
 
 
-def test_what_was_called_last_comes_first(window: MainWindow) -> None:
+def test_what_was_called_last_comes_first(window):
     for text in ("loupe", "snap to lines"):
         _type(window, text)
         _enter(window)
@@ -109,7 +96,7 @@ def test_what_was_called_last_comes_first(window: MainWindow) -> None:
     assert Settings().get(CALLED) == ("action:snapping", "action:loupe")
 
 
-def test_no_key_reaches_what_lies_below(window: MainWindow, hand: Hand, saved: ReadPoints) -> None:
+def test_no_key_reaches_what_lies_below(window, hand, saved):
     window.document.selecting.select_class("Middle line")
     hand.click(300, 100)
     QTest.keyClick(window.canvas, K, CTRL)
@@ -125,7 +112,7 @@ def test_no_key_reaches_what_lies_below(window: MainWindow, hand: Hand, saved: R
     assert len(saved("Middle line")) == 2  # the first click, too
 
 
-def test_it_goes_by_the_key_and_by_a_click_elsewhere(window: MainWindow) -> None:
+def test_it_goes_by_the_key_and_by_a_click_elsewhere(window):
     QTest.keyClick(window.canvas, K, CTRL)
     QTest.keyClick(window.palette_.search, K, CTRL)
     assert not window.palette_.isVisible()
@@ -135,7 +122,7 @@ def test_it_goes_by_the_key_and_by_a_click_elsewhere(window: MainWindow) -> None
     assert window.frames.filter.hasFocus()
 
 
-def test_undo_and_redo_say_which_step(window: MainWindow, hand: Hand) -> None:
+def test_undo_and_redo_say_which_step(window, hand):
     assert window.actions_["undo"].text() == "Undo"
     hand.draw("Middle line", (300, 100), (300, 200))
     undo = window.actions_["undo"].text()
@@ -151,7 +138,7 @@ def test_undo_and_redo_say_which_step(window: MainWindow, hand: Hand) -> None:
     assert window.actions_["redo"].text() == "Redo"
 
 
-def test_what_is_not_there_is_said(window: MainWindow) -> None:
+def test_what_is_not_there_is_said(window):
     _type(window, "qqxyz")
     assert not _titles(window)
     assert window.palette_.hint.text() == "Nothing is called “qqxyz”."
@@ -160,9 +147,7 @@ def test_what_is_not_there_is_said(window: MainWindow) -> None:
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (2560, 1440)])
-def test_it_lies_within_the_window(
-    make_window: MakeWindow, dataset: Path, size: tuple[int, int]
-) -> None:
+def test_it_lies_within_the_window(make_window, dataset, size):
     window = make_window(dataset, size=size)
     QTest.keyClick(window.canvas, K, CTRL)
     assert window.rect().contains(window.palette_.geometry())
@@ -171,10 +156,9 @@ def test_it_lies_within_the_window(
     assert window.rect().contains(window.palette_.geometry())
 
 
-def test_a_row_of_the_sheet_is_called_by_a_click(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_row_of_the_sheet_is_called_by_a_click(window, qtbot):
     QTest.keyClick(window.canvas, Qt.Key.Key_F1)
     sheet = window.findChild(KeySheet, "keySheet")
-    assert sheet is not None
     QTest.keyClicks(sheet.search, "halfway line")
     column = sheet.columns
     line = column.fontMetrics().height()

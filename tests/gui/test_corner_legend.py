@@ -1,16 +1,10 @@
 """The legend in the picture's corner: of what is there, out of the hand's way, switched off."""
 
-from __future__ import annotations
-
-import pytest
 from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import SWITCHES, Settings
 from tests.gui.conftest import Hand, until_kept
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 
 def texts(window: MainWindow) -> list[str]:
@@ -18,7 +12,7 @@ def texts(window: MainWindow) -> list[str]:
     return [entry.text for entry in window.canvas.legend.entries]
 
 
-def test_it_explains_what_is_there(begun: MainWindow, qtbot: QtBot) -> None:
+def test_it_explains_what_is_there(begun, qtbot):
     legend = begun.canvas.legend
     qtbot.waitUntil(lambda: "ghost: expected here" in texts(begun))
     assert texts(begun)[0] == "annotated, in its class's colour"
@@ -33,7 +27,7 @@ def test_it_explains_what_is_there(begun: MainWindow, qtbot: QtBot) -> None:
     assert not legend.isVisible()
 
 
-def test_verdicts_and_sources_are_named(audited: MainWindow, qtbot: QtBot) -> None:
+def test_verdicts_and_sources_are_named(audited, qtbot):
     audited.document.camera_sources.set_active_camera(1)
     assert texts(audited)[:2] == ["passes", "too far"]
     assert {"projection", "true"} <= set(texts(audited))
@@ -43,7 +37,7 @@ def test_verdicts_and_sources_are_named(audited: MainWindow, qtbot: QtBot) -> No
     assert texts(audited)[0] == "from the file"
 
 
-def test_it_gives_way_to_the_hand(begun: MainWindow) -> None:
+def test_it_gives_way_to_the_hand(begun):
     legend, canvas = begun.canvas.legend, begun.canvas
     texts(begun)
     hand = Hand(begun)
@@ -55,7 +49,7 @@ def test_it_gives_way_to_the_hand(begun: MainWindow) -> None:
     assert legend.isVisible()
 
 
-def test_it_can_be_switched_off_for_good(begun: MainWindow) -> None:
+def test_it_can_be_switched_off_for_good(begun):
     texts(begun)
     begun.actions_["legend"].trigger()
     assert not begun.canvas.legend.isVisible()
@@ -64,7 +58,7 @@ def test_it_can_be_switched_off_for_good(begun: MainWindow) -> None:
     assert Settings().get(SWITCHES["legend"]) is False
 
 
-def test_it_stands_above_what_is_said_of_the_camera(begun: MainWindow, qtbot: QtBot) -> None:
+def test_it_stands_above_what_is_said_of_the_camera(begun, qtbot):
     legend, plate = begun.canvas.legend, begun.canvas.found_plate
     qtbot.waitUntil(lambda: "ghost: expected here" in texts(begun))
     room, before = begun.canvas.viewport().rect(), legend.geometry()

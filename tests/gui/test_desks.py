@@ -1,24 +1,17 @@
 """Panels come by the kind of work: annotate, judge, review; each is found as it was left."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar, QToolButton
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import DESKS as KEPT
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.window.docks import DESKS
-from tests.gui.conftest import MakeWindow, all_done
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import all_done
 
 InFront = Callable[[MainWindow, str], bool]
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -32,7 +25,7 @@ def opened(window: MainWindow) -> set[str]:
 
 
 @pytest.fixture
-def in_front(qtbot: QtBot) -> InFront:
+def in_front(qtbot) -> InFront:
     """Whether a panel comes to the front of its tabs: the window lays them out when it gets to it,
     and what it is doing else may take it more than one turn."""
 
@@ -43,15 +36,12 @@ def in_front(qtbot: QtBot) -> InFront:
     return comes
 
 
-def test_keys_and_buttons_turn_to_the_panels_of_a_work(
-    window: MainWindow, in_front: InFront
-) -> None:
+def test_keys_and_buttons_turn_to_the_panels_of_a_work(window, in_front):
     assert opened(window) == set(DESKS["annotate"])
     QTest.keyClick(window.canvas, Qt.Key.Key_F2, SHIFT)
     assert opened(window) == JUDGE
     assert in_front(window, "scores")
     button = window.desk_switch.findChild(QToolButton, "desk_review")
-    assert button is not None
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert opened(window) == {"review"}
     assert button.isChecked()
@@ -60,7 +50,7 @@ def test_keys_and_buttons_turn_to_the_panels_of_a_work(
     assert opened(window) == {"review"}
 
 
-def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow, in_front: InFront) -> None:
+def test_a_panel_that_is_asked_for_brings_its_work(window, in_front):
     window.panels.show("plots")
     assert window.actions_["desk_judge"].isChecked()
     assert in_front(window, "plots")
@@ -69,7 +59,7 @@ def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow, in_front:
     assert in_front(window, "elements")
 
 
-def test_each_is_found_as_it_was_left(window: MainWindow, in_front: InFront, qtbot: QtBot) -> None:
+def test_each_is_found_as_it_was_left(window, in_front, qtbot):
     window.panels.show("fit")
     window.docks["scores"].close()
     all_done(qtbot)
@@ -87,7 +77,7 @@ def test_each_is_found_as_it_was_left(window: MainWindow, in_front: InFront, qtb
     assert abs(window.docks["fit"].width() - wide) <= 2
 
 
-def test_a_panel_that_was_torn_off_stays(window: MainWindow) -> None:
+def test_a_panel_that_was_torn_off_stays(window):
     window.panels.show("scores")
     window.docks["scores"].setFloating(True)
     window.panels.turn_to("annotate")
@@ -99,7 +89,7 @@ def test_a_panel_that_was_torn_off_stays(window: MainWindow) -> None:
     assert opened(window) == set(DESKS["annotate"])
 
 
-def test_hidden_panels_come_back_with_a_work(window: MainWindow) -> None:
+def test_hidden_panels_come_back_with_a_work(window):
     QTest.keyClick(window.canvas, Qt.Key.Key_F11)
     assert not opened(window)
     QTest.keyClick(window.canvas, Qt.Key.Key_F3, SHIFT)
@@ -108,9 +98,7 @@ def test_hidden_panels_come_back_with_a_work(window: MainWindow) -> None:
 
 
 @pytest.mark.new_window
-def test_the_next_run_begins_at_the_same_work(
-    make_window: MakeWindow, dataset: Path, in_front: InFront
-) -> None:
+def test_the_next_run_begins_at_the_same_work(make_window, dataset, in_front):
     first = make_window(dataset)
     first.panels.show("cameras")
     first.close()
@@ -121,9 +109,7 @@ def test_the_next_run_begins_at_the_same_work(
 
 
 @pytest.mark.new_window
-def test_what_is_kept_in_another_form_is_passed_over(
-    make_window: MakeWindow, dataset: Path
-) -> None:
+def test_what_is_kept_in_another_form_is_passed_over(make_window, dataset):
     first = make_window(dataset)
     first.close()
     Settings().set(KEPT, {"desk": 7, "judge": {"open": ["nothing", "fit"], "width": "wide"}})
@@ -135,9 +121,7 @@ def test_what_is_kept_in_another_form_is_passed_over(
 
 @pytest.mark.new_window
 @pytest.mark.parametrize("desk", DESKS)
-def test_no_tab_hides_behind_an_arrow(
-    make_window: MakeWindow, dataset: Path, qtbot: QtBot, desk: str
-) -> None:
+def test_no_tab_hides_behind_an_arrow(make_window, dataset, qtbot, desk):
     window = make_window(dataset, size=(1280, 720))
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
     window.panels.turn_to(desk)
@@ -149,7 +133,7 @@ def test_no_tab_hides_behind_an_arrow(
 
 
 class TestDrawer:
-    def test_it_opens_below_the_picture_and_shuts(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_it_opens_below_the_picture_and_shuts(self, window, qtbot):
         assert window.drawer.isHidden()
         window.panels.turn_to("judge")
         assert window.drawer.isVisible()
@@ -167,7 +151,7 @@ class TestDrawer:
         qtbot.waitUntil(lambda: canvas.height() == tall)
         assert opened(window) == JUDGE
 
-    def test_each_work_remembers_it(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_each_work_remembers_it(self, window, qtbot):
         QTest.keyClick(window.canvas, Qt.Key.Key_F5)
         plots = window.docks["plots"]
         qtbot.waitUntil(plots.isVisible)
@@ -183,7 +167,7 @@ class TestDrawer:
         assert plots.isVisible()
         assert abs(plots.height() - high) <= 2
 
-    def test_it_can_be_torn_off(self, window: MainWindow) -> None:
+    def test_it_can_be_torn_off(self, window):
         QTest.keyClick(window.canvas, Qt.Key.Key_F5)
         window.docks["plots"].setFloating(True)
         window.panels.turn_to("annotate")

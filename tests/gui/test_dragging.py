@@ -1,9 +1,5 @@
 """What is painted by places while a hand carries something is what would be painted afresh."""
 
-from __future__ import annotations
-
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
@@ -17,10 +13,8 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.image.pixels import DisplayAdjustment
 from tests.gui.conftest import Hand
 
-pytestmark = [
-    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
-    pytest.mark.new_window,  # pixels are compared, which hang on how large each panel is
-]
+# Pixels are compared, which hang on how large each panel is.
+pytestmark = pytest.mark.new_window
 
 ELEMENT = "Big rect. left main"
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -37,8 +31,6 @@ class _Held:
         window.document.selecting.set_mode("edit")
         polyline = window.document.state.annotation.get(ELEMENT)
         size = window.document.state.picture_size
-        assert polyline is not None
-        assert size is not None
         u, v = polyline.points[0][:2]
         self.at = u * (size[0] - 1), v * (size[1] - 1)
 
@@ -92,9 +84,7 @@ def _zoom_out(held: _Held) -> None:
 
 
 @pytest.mark.parametrize("prepare", [lambda held: None, _magnify, _split, _zoom_out])
-def test_a_carried_point(
-    audited: MainWindow, qtbot: QtBot, prepare: Callable[[_Held], None]
-) -> None:
+def test_a_carried_point(audited, qtbot, prepare):
     held = _Held(audited, qtbot)
     prepare(held)
     held.assert_painted("before")
@@ -120,9 +110,7 @@ def test_a_carried_point(
     ],
     ids=["selected", "undone", "look", "source", "threshold", "colours", "frame", "resized"],
 )
-def test_what_happens_meanwhile_is_seen(
-    audited: MainWindow, qtbot: QtBot, happens: Callable[[MainWindow], object]
-) -> None:
+def test_what_happens_meanwhile_is_seen(audited, qtbot, happens):
     held = _Held(audited, qtbot)
     held.take()
     held.carry(WAY[1])
@@ -135,7 +123,7 @@ def test_what_happens_meanwhile_is_seen(
     held.drop(WAY[-1])
 
 
-def test_the_cursor_is_told_once_it_is_let_go(audited: MainWindow, qtbot: QtBot) -> None:
+def test_the_cursor_is_told_once_it_is_let_go(audited, qtbot):
     held, shown = _Held(audited, qtbot), audited.status.pixels
     held.take()
     before = shown.text()
@@ -149,11 +137,10 @@ def test_the_cursor_is_told_once_it_is_let_go(audited: MainWindow, qtbot: QtBot)
 
 def _places(window: MainWindow) -> np.ndarray:
     polyline = window.document.state.annotation.get(ELEMENT)
-    assert polyline is not None
     return np.array([point[:2] for point in polyline.points])
 
 
-def test_each_button_ends_its_own_gesture(audited: MainWindow, qtbot: QtBot) -> None:
+def test_each_button_ends_its_own_gesture(audited, qtbot):
     held, middle = _Held(audited, qtbot), Qt.MouseButton.MiddleButton
     canvas, before = audited.canvas, _places(audited)
     held.take()
@@ -173,7 +160,7 @@ def test_each_button_ends_its_own_gesture(audited: MainWindow, qtbot: QtBot) -> 
     assert (_places(audited) == before).all()
 
 
-def test_no_menu_opens_while_a_point_is_carried(audited: MainWindow, qtbot: QtBot) -> None:
+def test_no_menu_opens_while_a_point_is_carried(audited, qtbot):
     held, view, asked = _Held(audited, qtbot), audited.canvas.viewport(), []
     audited.canvas.menuWanted.disconnect()
     audited.canvas.menuWanted.connect(asked.append)
@@ -188,9 +175,7 @@ def test_no_menu_opens_while_a_point_is_carried(audited: MainWindow, qtbot: QtBo
     assert asked
 
 
-def test_a_point_whose_release_went_elsewhere_stays_where_it_was_seen(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_a_point_whose_release_went_elsewhere_stays_where_it_was_seen(audited, qtbot):
     held, before = _Held(audited, qtbot), _places(audited)
     held.take()
     held.carry(WAY[1])
@@ -200,7 +185,6 @@ def test_a_point_whose_release_went_elsewhere_stays_where_it_was_seen(
     assert not audited.canvas.editor.holding
     w, h = audited.document.state.picture_size or (0, 0)
     moved = (_places(audited) - before)[0] * (w - 1, h - 1)
-    assert there is not None
     assert moved == pytest.approx((there[0] - x, there[1] - y), abs=0.01)
 
 
@@ -212,7 +196,7 @@ class _Paints(QObject):
         return False
 
 
-def test_a_list_in_which_nothing_changes_is_not_painted(begun: MainWindow, qtbot: QtBot) -> None:
+def test_a_list_in_which_nothing_changes_is_not_painted(begun, qtbot):
     held, paints = _Held(begun, qtbot), _Paints()
     begun.panels.show("elements")
     held.take()

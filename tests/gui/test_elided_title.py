@@ -1,20 +1,17 @@
 """Titles in a column that is too narrow for them."""
 
-from __future__ import annotations
-
 import pytest
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QApplication, QTableView
+from PySide6.QtWidgets import QTableView
 
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.languages import take_up
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.scores import ELEMENT
 from procc_annotator.gui.panels.tables import TitleDelegate, elided_title
 from procc_annotator.translation import tr
 
 
-def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> None:
+def test_near_and_far_of_either_side_can_be_told_apart(qapp):
     titles = [f"{s} three-point {d} straight" for s in ("Left", "Right") for d in ("far", "near")]
     metrics = QFontMetrics(qapp.font())
     whole = metrics.horizontalAdvance(titles[-1])
@@ -27,7 +24,7 @@ def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> No
 
 
 @pytest.mark.parametrize("name", ["de", "es", "fr"])
-def test_sides_can_be_told_apart_in_other_languages(qapp: QApplication, name: str) -> None:
+def test_sides_can_be_told_apart_in_other_languages(qapp, name):
     metrics = QFontMetrics(qapp.font())
     width = metrics.horizontalAdvance("n" * 18)
     take_up(qapp, name)
@@ -38,7 +35,7 @@ def test_sides_can_be_told_apart_in_other_languages(qapp: QApplication, name: st
     assert all(metrics.horizontalAdvance(text) <= width for text in shown)
 
 
-def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited: MainWindow) -> None:
+def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited):
     table = audited.findChild(QTableView, "scores_table")
     assert isinstance(table.itemDelegateForColumn(ELEMENT), TitleDelegate)
     audited.panels.show("scores")

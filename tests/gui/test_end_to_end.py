@@ -1,7 +1,5 @@
 """The whole job by mouse and keyboard: annotate, correct, judge, export; and the numbers agree."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path
@@ -20,7 +18,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
-from tests.gui.conftest import Hand, MakeWindow, until_kept
+from tests.gui.conftest import Hand, until_kept
 
 SIZE = (1280, 720)
 EVALUATION = (960, 540)
@@ -30,7 +28,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def sample(sample_copy: Path) -> Path:
+def sample(sample_copy) -> Path:
     """A copy of the sample that may be annotated."""
     return sample_copy
 
@@ -62,17 +60,12 @@ def export(
 
 
 def test_annotate_correct_judge_and_export_the_sample(
-    make_window: MakeWindow,
-    sample: Path,
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path: Path,
-) -> None:
+    make_window, sample, qtbot, monkeypatch, tmp_path
+):
     window = make_window(sample, size=(1600, 900))
     hand, document = Hand(window), window.document
     document.selecting.set_option("snapping", False)  # this test is about exact clicks
     truth = CameraSet.open(sample / "cameras" / "true").camera("00005", EVALUATION)
-    assert truth is not None
     document.walk.go_to(document.state.workspace.index["00005"])
     file = sample / "00005.json"
     assert not file.exists()
@@ -107,7 +100,6 @@ def test_annotate_correct_judge_and_export_the_sample(
     verdicts = {e.annotated_name: e.status for e in expected.elements}
     assert verdicts[MAIN] == "too_far"
     assert verdicts[ARC] == "tp"
-    assert document.judge.score is not None
     assert (document.judge.score.tp, document.judge.score.fp, document.judge.score.fn) == (
         expected.tp,
         expected.fp,
@@ -131,7 +123,7 @@ def test_annotate_correct_judge_and_export_the_sample(
     assert float(row["jac"]) == pytest.approx(document.judge.score.jac, abs=1e-6)
 
 
-def test_annotate_a_real_frame(make_window: MakeWindow, shared_data: Path, tmp_path: Path) -> None:
+def test_annotate_a_real_frame(make_window, shared_data, tmp_path):
     """Clicking the points of a real annotation gives that annotation, to the screen's pixel."""
     folder = tmp_path / "real"
     folder.mkdir()

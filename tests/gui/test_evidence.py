@@ -1,16 +1,12 @@
 """What the picture shows of paint: strips beside the segments, and what is told of it."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Callable
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Polyline
 from procc_annotator.assist import line_evidence as evidence_module
@@ -20,7 +16,6 @@ from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.messages import BENT
 from procc_annotator.interaction import palette as tones
-from tests.gui.conftest import Hand
 
 MakeWindow = Callable[..., MainWindow]
 
@@ -31,7 +26,7 @@ def paint_looked_for_once() -> None:
 
 
 @pytest.fixture
-def annotated(make_window: MakeWindow, sample_data: Path, tmp_path: Path) -> MainWindow:
+def annotated(make_window, sample_data, tmp_path) -> MainWindow:
     folder = tmp_path / "one"
     folder.mkdir()
     for name in ("00002.jpg", "00002.json"):
@@ -40,7 +35,7 @@ def annotated(make_window: MakeWindow, sample_data: Path, tmp_path: Path) -> Mai
 
 
 @pytest.fixture
-def bent(make_window: MakeWindow, tmp_path: Path) -> MainWindow:
+def bent(make_window, tmp_path) -> MainWindow:
     """Grass with one white line that a lens bends by 5 px."""
     folder = tmp_path / "bent"
     folder.mkdir()
@@ -59,7 +54,7 @@ def strips(window: MainWindow) -> set[str]:
     return {s.colour for s in drawn if s.width == tones.EVIDENCE_WIDTH and len(s.segments)}
 
 
-def test_strips_are_drawn_once_they_are_asked_for(annotated: MainWindow, qtbot: QtBot) -> None:
+def test_strips_are_drawn_once_they_are_asked_for(annotated, qtbot):
     document = annotated.document
     qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
     assert strips(annotated) == set()
@@ -75,18 +70,13 @@ def test_strips_are_drawn_once_they_are_asked_for(annotated: MainWindow, qtbot: 
     qtbot.waitUntil(lambda: strips(annotated) == set())
 
 
-def test_blind_mode_may_see_it(annotated: MainWindow, qtbot: QtBot) -> None:
+def test_blind_mode_may_see_it(annotated, qtbot):
     annotated.document.blind_lock.set_blind(True)
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: tones.PASSES in strips(annotated), timeout=20_000)
 
 
-def test_only_what_changed_is_looked_at_again(
-    annotated: MainWindow,
-    hand_on: Callable[[MainWindow], Hand],
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_only_what_changed_is_looked_at_again(annotated, hand_on, qtbot, monkeypatch):
     document, looked_at = annotated.document, []
     qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
     really = evidence_module._along
@@ -103,9 +93,7 @@ def test_only_what_changed_is_looked_at_again(
     assert looked_at == [name]
 
 
-def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
-    bent: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
-) -> None:
+def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(bent, hand_on, qtbot):
     document, hand = bent.document, hand_on(bent)
     told: list[str] = []
     document.store.events.message.connect(lambda m: told.append(m.text))
@@ -126,9 +114,7 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
     qtbot.waitUntil(lambda: BENT not in {notice.key for notice in document.state.notices})
 
 
-def test_the_remedy_puts_its_points_along_the_paint(
-    bent: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
-) -> None:
+def test_the_remedy_puts_its_points_along_the_paint(bent, hand_on, qtbot):
     """One key, or the button of the list, whatever else is chosen; and one step of undo."""
     document, hand = bent.document, hand_on(bent)
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
@@ -149,9 +135,7 @@ def test_the_remedy_puts_its_points_along_the_paint(
     assert document.state.annotation == two
 
 
-def test_a_line_clicked_where_there_is_none_is_no_bent_one(
-    bent: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
-) -> None:
+def test_a_line_clicked_where_there_is_none_is_no_bent_one(bent, hand_on, qtbot):
     document, hand = bent.document, hand_on(bent)
     hand.draw("Side line top", (102, 400), (858, 420))
     qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)

@@ -1,14 +1,11 @@
 """Importing and exporting annotations of other programs in the window."""
 
-from __future__ import annotations
-
 import json
 import sqlite3
 import threading
 import zlib
 from contextlib import closing
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -24,11 +21,6 @@ from procc_annotator.gui.state.editing import batch_edits
 from procc_annotator.gui.state.editing.batch_edits import merged
 from tests.gui.conftest import all_done, until_kept
 
-if TYPE_CHECKING:
-    from tests.gui.conftest import MakeWindow
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-
 LINE = "Middle line"
 
 
@@ -40,7 +32,7 @@ def labelme(name: str, x: float) -> str:
 
 
 @pytest.fixture
-def foreign(tmp_path: Path) -> Path:
+def foreign(tmp_path) -> Path:
     """labelme files for two of the three frames, a damaged one, and one of another picture."""
     folder = tmp_path / "foreign"
     folder.mkdir()
@@ -55,7 +47,6 @@ def run_import(window: MainWindow, qtbot: QtBot, path: Path, *, replace: bool = 
     window.actions_["import_annotations"].trigger()
     importer = window.importer
     dialog = importer.dialog
-    assert dialog is not None
     dialog.path.setText(str(path))
     dialog.replace.setChecked(replace)
     dialog.start_button.click()
@@ -71,9 +62,7 @@ def on_disk(dataset: Path, name: str) -> dict[str, list[dict[str, float]]]:
     return json.loads(path.read_text()) if path.exists() else {}
 
 
-def test_frames_are_matched_by_name_and_the_rest_is_told(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_frames_are_matched_by_name_and_the_rest_is_told(window, qtbot, dataset, foreign):
     said = run_import(window, qtbot, foreign)
     assert "2 of 2 frames imported (labelme JSON)." in said
     assert "elsewhere" in said
@@ -87,9 +76,7 @@ def test_frames_are_matched_by_name_and_the_rest_is_told(
     assert window.frames.model.info(1).count == 1
 
 
-def test_what_is_annotated_stays_unless_asked(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_what_is_annotated_stays_unless_asked(window, qtbot, dataset, foreign):
     mine = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.1), Point(0.9, 0.1))),))
     window.document.editing.commit_edit("draw", mine)
     said = run_import(window, qtbot, foreign)
@@ -101,7 +88,6 @@ def test_what_is_annotated_stays_unless_asked(
     assert "1 frame holds the same already" in said
     assert list(on_disk(dataset, "frame_0")) == [LINE]
     database = window.document.review.database
-    assert database is not None
     database.flush(5.0)
     kept = [database.version_data(v.id) for v in database.versions("frame_0")]
     assert any(b"Side line top" in data for data in kept)
@@ -109,18 +95,14 @@ def test_what_is_annotated_stays_unless_asked(
     assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
 
 
-def test_other_frames_keep_their_history_too(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_other_frames_keep_their_history_too(window, qtbot, dataset, foreign):
     run_import(window, qtbot, foreign)
     window.document.walk.go_to(1)
     window.document.editing.undo()
     assert on_disk(dataset, "frame_1") == {}
 
 
-def test_a_frame_somebody_else_edits_is_left_alone(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_a_frame_somebody_else_edits_is_left_alone(window, qtbot, dataset, foreign):
     other = FrameLocks(locks_folder(dataset), "Ada")
     assert other.acquire("frame_1") is None
     said = run_import(window, qtbot, foreign)
@@ -131,7 +113,7 @@ def test_a_frame_somebody_else_edits_is_left_alone(
 
 
 @pytest.fixture
-def annotated(dataset: Path) -> Path:
+def annotated(dataset) -> Path:
     """All three frames annotated, on disk."""
     for i in range(3):
         points = [{"x": 0.1, "y": 0.1 * i}, {"x": 0.9, "y": 0.1}]
@@ -149,12 +131,8 @@ def versions_on_disk(dataset: Path) -> dict[str, set[bytes]]:
 
 
 def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    annotated: Path,
-    foreign: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    make_window, qtbot, annotated, foreign, monkeypatch
+):
     """A kill at any moment finds every file whole and everything replaced among the versions."""
     before = {p.stem: p.read_bytes() for p in annotated.glob("*.json")}
     window = make_window(annotated)
@@ -178,12 +156,8 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
 
 
 def test_the_database_is_not_asked_about_every_frame(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    annotated: Path,
-    foreign: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    make_window, qtbot, annotated, foreign, monkeypatch
+):
     """Each answer would wait for all that is queued before it."""
     window = make_window(annotated)
     window.document.walk.go_to(2)
@@ -205,12 +179,8 @@ def test_the_database_is_not_asked_about_every_frame(
 
 
 def test_a_file_that_changes_just_before_it_is_written_is_kept(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    annotated: Path,
-    foreign: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    make_window, qtbot, annotated, foreign, monkeypatch
+):
     window = make_window(annotated)
     window.document.walk.go_to(2)
     flush = WorkspaceDatabase.flush
@@ -228,12 +198,8 @@ def test_a_file_that_changes_just_before_it_is_written_is_kept(
 
 
 def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
-    window: MainWindow,
-    qtbot: QtBot,
-    dataset: Path,
-    foreign: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    window, qtbot, dataset, foreign, monkeypatch
+):
     monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
     window.document.walk.go_to(2)
     write = workspace.write_saves
@@ -255,18 +221,13 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
 
 
 def test_closing_the_window_ends_an_import_with_everything_saved(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    annotated: Path,
-    foreign: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    make_window, qtbot, annotated, foreign, monkeypatch
+):
     monkeypatch.setattr(batch_edits, "_TOGETHER", 1)
     window = make_window(annotated)
     window.document.walk.go_to(2)
     window.importer.ask()
     importer = window.importer
-    assert importer.dialog is not None
     importer.dialog.replace.setChecked(True)
     importer.start(foreign)
     saver = window.document.saver
@@ -277,13 +238,11 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     all_done(qtbot)
     assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
     assert held[0] == [LINE]
-    assert not window.document.state.workspace.dirty_frames()  # type: ignore[union-attr]
+    assert not window.document.state.workspace.dirty_frames()
     assert not list(locks_folder(annotated).glob("*.lock"))
 
 
-def test_damaged_files_of_the_dataset_are_not_replaced(
-    make_window: MakeWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_damaged_files_of_the_dataset_are_not_replaced(make_window, qtbot, dataset, foreign):
     (dataset / "frame_1.json").write_text("{")
     window = make_window(dataset)
     said = run_import(window, qtbot, foreign, replace=True)
@@ -291,15 +250,13 @@ def test_damaged_files_of_the_dataset_are_not_replaced(
     assert (dataset / "frame_1.json").read_text() == "{"
 
 
-def test_nothing_to_read_is_said_in_the_dialog(
-    window: MainWindow, qtbot: QtBot, tmp_path: Path
-) -> None:
+def test_nothing_to_read_is_said_in_the_dialog(window, qtbot, tmp_path):
     empty = tmp_path / "empty"
     empty.mkdir()
     assert "nothing to do: no annotation" in run_import(window, qtbot, empty)
 
 
-def test_merging_keeps_what_has_no_other_place() -> None:
+def test_merging_keeps_what_has_no_other_place():
     before = FrameAnnotation(
         (Polyline("Circle left", (Point(0, 0),)),),
         (("weather", "rain"), ("crew", "a")),
@@ -312,9 +269,7 @@ def test_merging_keeps_what_has_no_other_place() -> None:
     assert [p.class_name for p in after.unconfirmed] == ["Side line left"]
 
 
-def test_export_says_what_the_format_cannot_hold(
-    window: MainWindow, qtbot: QtBot, tmp_path: Path
-) -> None:
+def test_export_says_what_the_format_cannot_hold(window, qtbot, tmp_path):
     document = window.document
     document.editing.commit_edit(
         "draw",
@@ -327,7 +282,6 @@ def test_export_says_what_the_format_cannot_hold(
     window.actions_["export_as"].trigger()
     task = window.export_as
     dialog = task.dialog
-    assert dialog is not None
     names = [dialog.formats.itemText(i) for i in range(dialog.formats.count())]
     dialog.formats.setCurrentIndex(names.index("segmentation masks (PNG)"))
     assert dialog.line_width.isVisibleTo(dialog)
@@ -346,14 +300,11 @@ def test_export_says_what_the_format_cannot_hold(
     dialog.close_button.click()
 
 
-def test_exported_and_imported_again_is_the_same(
-    window: MainWindow, qtbot: QtBot, dataset: Path, tmp_path: Path
-) -> None:
+def test_exported_and_imported_again_is_the_same(window, qtbot, dataset, tmp_path):
     line = Polyline(LINE, (Point(1 / 3, 0.1), Point(0.7234567890123, 0.9)))
     window.document.editing.commit_edit("draw", FrameAnnotation((line,)))
     window.export_as.ask()
     dialog = window.export_as.dialog
-    assert dialog is not None
     dialog.formats.setCurrentIndex(4)
     assert dialog.format.name == "cvat"
     window.export_as.start(tmp_path / "task.zip")
@@ -365,13 +316,10 @@ def test_exported_and_imported_again_is_the_same(
     assert on_disk(dataset, "frame_0") == before
 
 
-def test_cancelling_leaves_everything_as_it_was(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_cancelling_leaves_everything_as_it_was(window, qtbot, dataset, foreign):
     window.importer.ask()
     importer = window.importer
     dialog = importer.dialog
-    assert dialog is not None
     dialog.path.setText(str(foreign))
     importer.start(foreign)
     dialog.close_button.click()
@@ -383,10 +331,9 @@ def test_cancelling_leaves_everything_as_it_was(
     assert not dialog.isVisible()
 
 
-def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot) -> None:
+def test_the_words_about_every_format_have_room(window, qtbot):
     window.actions_["export_as"].trigger()
     dialog = window.export_as.dialog
-    assert dialog is not None
     for width in (dialog.width(), 900, dialog.minimumWidth()):
         dialog.resize(width, dialog.height())
         for row in range(dialog.formats.count()):
@@ -400,8 +347,8 @@ def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot
 
 
 def test_annotations_of_another_program_in_the_dataset_are_imported_apart(
-    make_window: MakeWindow, qtbot: QtBot, tmp_path: Path, striped: list[bytes]
-) -> None:
+    make_window, qtbot, tmp_path, striped
+):
     """labelme's files lie where this program's would: both stay apart."""
     folder = tmp_path / "labelme_set"
     folder.mkdir()
@@ -412,7 +359,6 @@ def test_annotations_of_another_program_in_the_dataset_are_imported_apart(
     assert not window.frame_bar.isVisible()  # the frame can be edited
     window.importer.ask()
     dialog = window.importer.dialog
-    assert dialog is not None
     dialog.path.setText(str(folder))
     dialog.start_button.click()
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())

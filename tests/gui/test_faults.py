@@ -1,7 +1,5 @@
 """Whatever breaks, the window says so, goes on working, and the files stay whole."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -12,20 +10,13 @@ import textwrap
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 from PySide6.QtCore import Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import until_kept
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, until_kept
 
 HandOn = Callable[[MainWindow], "Hand"]
 MIDDLE, TOP = "Middle line", "Side line top"
@@ -37,9 +28,7 @@ def classes(path: Path) -> list[str]:
 
 
 class TestDiskTroubles:
-    def test_a_folder_that_vanishes_in_the_middle(
-        self, window: MainWindow, hand: Hand, dataset: Path
-    ) -> None:
+    def test_a_folder_that_vanishes_in_the_middle(self, window, hand, dataset):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         away = dataset.with_name("unplugged")
         dataset.rename(away)
@@ -56,12 +45,8 @@ class TestDiskTroubles:
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
 
     def test_a_read_only_dataset_is_annotated_with_its_memory_elsewhere(
-        self,
-        dataset: Path,
-        make_window: MakeWindow,
-        monkeypatch: pytest.MonkeyPatch,
-        tmp_path: Path,
-    ) -> None:
+        self, dataset, make_window, monkeypatch, tmp_path
+    ):
         (dataset / ".procc").write_text("a file where the folder belongs")
         monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
         window = make_window(dataset)
@@ -70,8 +55,8 @@ class TestDiskTroubles:
         assert window.document.review.status("frame_0") is Status.DONE
 
     def test_a_link_that_leads_out_of_the_dataset_is_not_followed(
-        self, window: MainWindow, hand: Hand, dataset: Path, tmp_path: Path
-    ) -> None:
+        self, window, hand, dataset, tmp_path
+    ):
         outside = tmp_path / "precious.json"
         outside.write_text("{}")
         (dataset / "frame_1.json").symlink_to(outside)
@@ -82,9 +67,7 @@ class TestDiskTroubles:
 
 
 class TestPictures:
-    def test_a_picture_deleted_or_cut_off_while_open(
-        self, window: MainWindow, hand: Hand, dataset: Path
-    ) -> None:
+    def test_a_picture_deleted_or_cut_off_while_open(self, window, hand, dataset):
         (dataset / "frame_0.png").unlink()
         hand.draw(MIDDLE, (100, 100), (200, 200))  # it is on screen: clicks go on
         assert classes(dataset / "frame_0.json") == [MIDDLE]
@@ -102,15 +85,12 @@ class TestPictures:
 
 
 class TestClock:
-    def test_a_clock_that_goes_backwards_disturbs_nothing(
-        self, window: MainWindow, hand: Hand, dataset: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_a_clock_that_goes_backwards_disturbs_nothing(self, window, hand, dataset, monkeypatch):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         now = time.time()
         monkeypatch.setattr(time, "time", lambda: now - 86_400 * 400)
         hand.draw(TOP, (100, 50), (200, 50))
         database = window.document.review.database
-        assert database is not None
         reasons = [v.reason for v in database.versions("frame_0")]
         assert reasons == ["draw Far touchline", "draw Halfway line"]
         window.document.presence.beat()
@@ -146,18 +126,12 @@ class TestKill:
         "seed", [0, *(pytest.param(n, marks=pytest.mark.soak) for n in range(1, 8))]
     )
     def test_a_program_killed_at_any_moment_loses_nothing_it_had_saved(
-        self,
-        dataset: Path,
-        tmp_path: Path,
-        make_window: MakeWindow,
-        hand_on: HandOn,
-        seed: int,
-    ) -> None:
+        self, dataset, tmp_path, make_window, hand_on, seed
+    ):
         script = [sys.executable, "-c", textwrap.dedent(ANNOTATES), str(dataset), str(tmp_path)]
         running = subprocess.Popen(
             script, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=ROOT
         )
-        assert running.stdout is not None
         told: dict[int, int] = {}
         for _ in range(7 + 13 * seed):
             _, frame, points = map(int, running.stdout.readline().split())
@@ -179,8 +153,8 @@ class TestKill:
         assert len(leftovers) <= 1
 
     def test_a_polyline_under_way_is_all_that_a_kill_can_take(
-        self, window: MainWindow, hand: Hand, dataset: Path, tmp_path: Path
-    ) -> None:
+        self, window, hand, dataset, tmp_path
+    ):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         window.document.selecting.select_class(TOP)
         hand.click(100, 50)
@@ -188,9 +162,7 @@ class TestKill:
         assert classes(tmp_path / "as_left" / "frame_0.json") == [MIDDLE]
 
 
-def test_a_file_mended_outside_opens_when_the_frame_is_opened_again(
-    make_window: MakeWindow, dataset: Path, hand_on: Callable[[MainWindow], Hand]
-) -> None:
+def test_a_file_mended_outside_opens_when_the_frame_is_opened_again(make_window, dataset, hand_on):
     (dataset / "frame_1.json").write_text("{")
     window = make_window(dataset)
     window.document.walk.go_to(1)
@@ -202,9 +174,7 @@ def test_a_file_mended_outside_opens_when_the_frame_is_opened_again(
     assert classes(dataset / "frame_1.json") == [MIDDLE]
 
 
-def test_an_unreadable_annotation_blocks_its_frame_only(
-    dataset: Path, make_window: MakeWindow, hand_on: HandOn, qtbot: QtBot
-) -> None:
+def test_an_unreadable_annotation_blocks_its_frame_only(dataset, make_window, hand_on, qtbot):
     (dataset / "frame_0.json").write_bytes(b'{"Middle line": [{"x": 0.5}]}')
     window = make_window(dataset)
     assert "Middle line[0]" in window.frame_bar.label.text()
@@ -262,9 +232,7 @@ FAILS = """
 """
 
 
-def test_an_unexpected_error_is_logged_and_shown_and_saving_goes_on(
-    dataset: Path, tmp_path: Path
-) -> None:
+def test_an_unexpected_error_is_logged_and_shown_and_saving_goes_on(dataset, tmp_path):
     script = [sys.executable, "-c", textwrap.dedent(FAILS), str(dataset), str(tmp_path)]
     home = {**os.environ, "XDG_DATA_HOME": str(tmp_path / "data")}
     done = subprocess.run(script, env=home, cwd=ROOT, capture_output=True, text=True, check=False)

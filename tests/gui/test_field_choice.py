@@ -1,7 +1,5 @@
 """Choosing the field of a dataset in the real window: menu, guess, mismatch, own files."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -18,10 +16,9 @@ from procc_annotator.field.load import builtin_field_file, field_titles, load_fi
 from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand, let_work_end
+from tests.gui.conftest import let_work_end
 
 pytestmark = [
-    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
     pytest.mark.new_window,  # the field of a window is the next dataset's
 ]
 
@@ -73,9 +70,7 @@ def listed(window: MainWindow) -> set[str]:
     return set(window.elements._items)
 
 
-def test_everything_follows_the_field_and_nothing_is_lost(
-    window: MainWindow, hand: Hand, qtbot: QtBot, dataset: Path, saved
-) -> None:
+def test_everything_follows_the_field_and_nothing_is_lost(window, hand, qtbot, dataset, saved):
     document = window.document
     hand.draw("Middle line", (100, 100), (300, 200))
     hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
@@ -103,9 +98,7 @@ def test_everything_follows_the_field_and_nothing_is_lost(
     qtbot.waitUntil(lambda: "Side line top" in listed(window))
 
 
-def test_the_dataset_remembers_its_field(
-    window: MainWindow, qtbot: QtBot, dataset: Path, tmp_path: Path
-) -> None:
+def test_the_dataset_remembers_its_field(window, qtbot, dataset, tmp_path):
     choose(window, "Volleyball", qtbot)
     other = tmp_path / "other"
     other.mkdir()
@@ -116,9 +109,7 @@ def test_the_dataset_remembers_its_field(
     assert window.document.state.field.name == "volleyball"
 
 
-def test_points_that_are_not_finished_are_finished_first(
-    window: MainWindow, hand: Hand, qtbot: QtBot, saved
-) -> None:
+def test_points_that_are_not_finished_are_finished_first(window, hand, qtbot, saved):
     window.document.selecting.select_class("Middle line")
     hand.click(100, 100)
     hand.click(300, 200)
@@ -132,9 +123,7 @@ def asked(window: MainWindow) -> bool:
     return bar.isVisible() and bar.label.text().startswith("Is this Basketball (FIBA)?")
 
 
-def test_a_new_dataset_is_asked_about_by_its_classes(
-    make_window, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_new_dataset_is_asked_about_by_its_classes(make_window, dataset, qtbot):
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_1", names)
     window = make_window(dataset)
@@ -150,9 +139,7 @@ def test_a_new_dataset_is_asked_about_by_its_classes(
     assert window.document.state.field.name == "basketball_fiba"  # at once: it is remembered
 
 
-def test_a_no_holds_for_a_frame_that_is_still_looked_at(
-    make_window, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_no_holds_for_a_frame_that_is_still_looked_at(make_window, dataset, qtbot):
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_0", names)
     annotate(dataset, "frame_1", names[:3])
@@ -164,7 +151,7 @@ def test_a_no_holds_for_a_frame_that_is_still_looked_at(
     assert window.field_bar.isHidden()
 
 
-def test_a_no_is_remembered(make_window, dataset: Path, qtbot: QtBot) -> None:
+def test_a_no_is_remembered(make_window, dataset, qtbot):
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_0", names)
     window = make_window(dataset)
@@ -180,9 +167,7 @@ def test_a_no_is_remembered(make_window, dataset: Path, qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize("classes", [[], ["Middle line", "Side line top"], ["bench", "dugout"]])
-def test_nothing_is_asked_where_soccer_fits_or_nothing_does(
-    make_window, dataset: Path, qtbot: QtBot, classes: list[str]
-) -> None:
+def test_nothing_is_asked_where_soccer_fits_or_nothing_does(make_window, dataset, qtbot, classes):
     annotate(dataset, "frame_1", classes)
     window = make_window(dataset)
     let_work_end(qtbot)
@@ -190,9 +175,7 @@ def test_nothing_is_asked_where_soccer_fits_or_nothing_does(
     assert window.field_bar.isHidden()
 
 
-def test_a_field_that_clashes_with_a_landmark_is_told(
-    make_window, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_field_that_clashes_with_a_landmark_is_told(make_window, dataset, qtbot):
     names = [e.name for e in load_field("basketball_fiba").elements[:5]]
     annotate(dataset, "frame_1", names[:4])
     path = dataset / "landmarks.json"
@@ -210,9 +193,7 @@ def test_a_field_that_clashes_with_a_landmark_is_told(
     assert window.document.state.field.name == "basketball_fiba"
 
 
-def test_no_work_outlives_a_window_that_is_closed(
-    make_window, dataset: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_work_outlives_a_window_that_is_closed(make_window, dataset, monkeypatch):
     annotate(dataset, "frame_1", ["Middle line"])
     began, may_go_on, ended = threading.Event(), threading.Event(), threading.Event()
 
@@ -229,9 +210,7 @@ def test_no_work_outlives_a_window_that_is_closed(
     assert ended.is_set()
 
 
-def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
-    window: MainWindow, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(window, dataset, qtbot):
     choose(window, "Soccer", qtbot)
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_0", names)
@@ -254,9 +233,7 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     assert window.field_bar.isHidden()  # somebody does not want to hear of it
 
 
-def test_one_key_switches_to_the_field_that_fits(
-    window: MainWindow, dataset: Path, qtbot: QtBot
-) -> None:
+def test_one_key_switches_to_the_field_that_fits(window, dataset, qtbot):
     choose(window, "Soccer", qtbot)
     annotate(dataset, "frame_0", [e.name for e in load_field("tennis").elements[:4]])
     assert window.document.opening.open_path(dataset)
@@ -267,7 +244,7 @@ def test_one_key_switches_to_the_field_that_fits(
     qtbot.waitUntil(lambda: window.field_bar.isHidden())
 
 
-def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) -> None:
+def test_spellings_follow_the_field(make_window, dataset, qtbot):
     annotate(dataset, "frame_0", ["Goal left post left"])  # the official name ends in a space
     window = make_window(dataset)
     document = window.document
@@ -280,9 +257,7 @@ def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) ->
     assert not document.state.workspace.dirty_frames()
 
 
-def test_what_showing_a_field_takes_is_worked_out_before(
-    make_window, dataset: Path, qtbot: QtBot
-) -> None:
+def test_what_showing_a_field_takes_is_worked_out_before(make_window, dataset, qtbot):
     document = make_window(dataset).document
     order: list[tuple[str, bool]] = []
 
@@ -299,9 +274,7 @@ def test_what_showing_a_field_takes_is_worked_out_before(
 
 
 @pytest.mark.parametrize("replaced", [False, True])
-def test_a_file_of_ones_own_is_read_as_it_is_written(
-    make_window, dataset: Path, qtbot: QtBot, replaced: bool
-) -> None:
+def test_a_file_of_ones_own_is_read_as_it_is_written(make_window, dataset, qtbot, replaced):
     path = dataset / FIELD_FILE
     path.write_text(YARD)
     window = make_window(dataset)
@@ -333,7 +306,7 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(
     assert window.field_bar.isHidden()
 
 
-def test_a_broken_file_is_waited_for(make_window, dataset: Path, qtbot: QtBot) -> None:
+def test_a_broken_file_is_waited_for(make_window, dataset, qtbot):
     (dataset / FIELD_FILE).write_text("name = ")
     window = make_window(dataset)
     assert window.document.state.field.name == "soccer"
@@ -344,7 +317,7 @@ def test_a_broken_file_is_waited_for(make_window, dataset: Path, qtbot: QtBot) -
     assert window.field_bar.isHidden()
 
 
-def test_the_file_in_the_dataset_decides(make_window, dataset: Path, qtbot: QtBot) -> None:
+def test_the_file_in_the_dataset_decides(make_window, dataset, qtbot):
     (dataset / FIELD_FILE).write_text(YARD)
     window = make_window(dataset)
     window.document.field_choice.choose("tennis")
@@ -352,7 +325,7 @@ def test_the_file_in_the_dataset_decides(make_window, dataset: Path, qtbot: QtBo
     assert window.document.state.field.name == "yard"
 
 
-def test_files_used_before_are_offered(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
+def test_files_used_before_are_offered(window, tmp_path, qtbot):
     path = tmp_path / "our court.toml"
     path.write_text(YARD)
     window.document.field_choice.choose(path)
@@ -367,7 +340,7 @@ def test_files_used_before_are_offered(window: MainWindow, tmp_path: Path, qtbot
     assert window.document.state.field.name == "tennis"
 
 
-def test_keys_of_the_window_stay_its_own(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
+def test_keys_of_the_window_stay_its_own(window, tmp_path, qtbot):
     path = tmp_path / "yard.toml"
     twice = YARD.replace('shortcut = "1"', 'shortcut = "Ctrl+J, 1"')
     path.write_text(twice)
@@ -387,20 +360,7 @@ def test_keys_of_the_window_stay_its_own(window: MainWindow, tmp_path: Path, qtb
     assert document.state.selected_class is not None
 
 
-def test_shipped_fields_need_no_key_of_the_window() -> None:
-    # Elements whose key is taken have none, which nobody would understand.
-    lacking = {}
-    for name in field_titles():
-        field = load_field(name)
-        wanted = [e for e in field.elements if e.shortcut]
-        lacking[name] = [e.title for e in wanted if e.name not in element_keys(field)]
-    assert not any(lacking.values()), lacking
-    assert builtin_field_file("soccer").is_file()
-
-
-def test_a_reload_leaves_what_is_being_drawn(
-    make_window, hand_on, dataset: Path, qtbot: QtBot, saved
-) -> None:
+def test_a_reload_leaves_what_is_being_drawn(make_window, hand_on, dataset, qtbot, saved):
     path = dataset / FIELD_FILE
     path.write_text(YARD)
     window = make_window(dataset)
@@ -421,9 +381,7 @@ def test_a_reload_leaves_what_is_being_drawn(
     assert not window.canvas.editor.drawing
 
 
-def test_where_a_file_decides_no_other_field_is_offered(
-    make_window, dataset: Path, qtbot: QtBot, monkeypatch
-) -> None:
+def test_where_a_file_decides_no_other_field_is_offered(make_window, dataset, qtbot, monkeypatch):
     court = load_field("basketball_fiba")
     text = builtin_field_file("basketball_fiba").read_text()
     first = f'name = "{court.elements[0].name}"'
@@ -443,9 +401,7 @@ def test_where_a_file_decides_no_other_field_is_offered(
     assert [a.text() for a in menu.actions() if a.isChecked()] == ["field.toml"]
 
 
-def test_a_refused_choice_is_told_until_work_goes_on(
-    make_window, dataset: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_a_refused_choice_is_told_until_work_goes_on(make_window, dataset, tmp_path, qtbot):
     (dataset / FIELD_FILE).write_text(YARD)
     window = make_window(dataset)
     window.document.field_choice.choose("tennis")
@@ -462,7 +418,7 @@ def test_a_refused_choice_is_told_until_work_goes_on(
     assert "field.toml" not in [a.text() for a in menu.actions()]  # it is gone
 
 
-def test_a_path_is_told_as_it_is_written(make_window, dataset: Path) -> None:
+def test_a_path_is_told_as_it_is_written(make_window, dataset):
     (dataset / FIELD_FILE).write_text("name = ")
     window = make_window(dataset)
     window.field_bar.tell("clips/field.toml: line 1")
@@ -471,7 +427,7 @@ def test_a_path_is_told_as_it_is_written(make_window, dataset: Path) -> None:
     assert window.field_bar.label.text() == "The field is gone."
 
 
-def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot: QtBot) -> None:
+def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset, qtbot):
     window = make_window(dataset)
     choose(window, "Basketball (FIBA)", qtbot)
     panel = window.elements
@@ -491,8 +447,8 @@ def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot
 
 
 def test_nothing_stays_chosen_when_another_dataset_opens(
-    window: MainWindow, hand: Hand, tmp_path: Path, dataset: Path, sample_data: Path, qtbot: QtBot
-) -> None:
+    window, hand, tmp_path, dataset, sample_data, qtbot
+):
     """The next click would write a class into files of another sport."""
     document, field = window.document, load_field("volleyball")
     document.field_choice.take(field)
@@ -512,9 +468,7 @@ def test_nothing_stays_chosen_when_another_dataset_opens(
     assert document.state.selected_class is None
 
 
-def test_a_class_without_a_field_stays_in_its_frame(
-    window: MainWindow, hand: Hand, qtbot: QtBot
-) -> None:
+def test_a_class_without_a_field_stays_in_its_frame(window, hand, qtbot):
     document = window.document
     hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
     document.selecting.select_class("Circle central")

@@ -1,19 +1,15 @@
 """The dimensions of a dataset's field: the picture, map, scores and fit go by them at once."""
 
-from __future__ import annotations
-
 import json
 import threading
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.batch.joint_calibration import Estimate, estimate_dimensions
 from procc_annotator.field.load import load_field
@@ -40,7 +36,7 @@ def sides(dialog: FieldDimensionsDialog) -> dict[str, float]:
 
 
 @pytest.fixture
-def judged(make_window, annotated: Path, qtbot: QtBot) -> MainWindow:
+def judged(make_window, annotated, qtbot) -> MainWindow:
     """The window on a well annotated frame of the sample, judged by its true camera."""
     window = make_window(annotated)
     assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
@@ -50,12 +46,11 @@ def judged(make_window, annotated: Path, qtbot: QtBot) -> MainWindow:
     return window
 
 
-def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) -> None:
+def test_everything_goes_by_what_is_entered(judged, qtbot):
     document = judged.document
     judged.panels.show("scores")
     before = document.judge.score
     fit = document.live_fit.result
-    assert before is not None
     bounds = judged.field_map._shape.ground
     dialog = asked(judged)
     assert sides(dialog) == {"length": 105.0, "width": 68.0}
@@ -63,7 +58,6 @@ def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) ->
     enter(dialog, length=101.3, width=66.2)
     assert "nominal field (length 105 m, width 68 m" in dialog.note.text()
     qtbot.waitUntil(lambda: document.state.field.described == "soccer 101.3 x 66.2 m")
-    assert document.judge.score is not None
     assert document.judge.score.jac < before.jac
     assert judged.field_map._shape.ground[2] < bounds[2]
     qtbot.waitUntil(lambda: "soccer 101.3 x 66.2 m" in judged.scores.terms.text())
@@ -75,9 +69,7 @@ def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) ->
     assert document.review.database.setting("field_dimensions") is None
 
 
-def test_the_dataset_keeps_them_until_they_are_nominal_again(
-    judged: MainWindow, qtbot: QtBot, annotated: Path, dataset: Path
-) -> None:
+def test_the_dataset_keeps_them_until_they_are_nominal_again(judged, qtbot, annotated, dataset):
     document = judged.document
     dialog = asked(judged)
     enter(dialog, length=101.3)
@@ -101,9 +93,7 @@ def test_the_dataset_keeps_them_until_they_are_nominal_again(
     assert document.review.database.setting("field_dimensions") is None
 
 
-def test_what_is_kept_is_kept_when_the_dataset_is_left_at_once(
-    judged: MainWindow, annotated: Path, dataset: Path
-) -> None:
+def test_what_is_kept_is_kept_when_the_dataset_is_left_at_once(judged, annotated, dataset):
     document = judged.document
     dialog = asked(judged)
     enter(dialog, length=101.3)
@@ -114,7 +104,7 @@ def test_what_is_kept_is_kept_when_the_dataset_is_left_at_once(
     assert document.state.field.described == "soccer 101.3 x 68 m"
 
 
-def test_the_last_numbers_count(judged: MainWindow, qtbot: QtBot) -> None:
+def test_the_last_numbers_count(judged, qtbot):
     document = judged.document
     for length in (99.0, 100.0, 101.0):
         document.field_choice.resize({"length": length}, keep=False)
@@ -131,7 +121,7 @@ def test_the_last_numbers_count(judged: MainWindow, qtbot: QtBot) -> None:
     assert document.state.field.name == "tennis"
 
 
-def test_the_set_tells_its_dimensions(judged: MainWindow, qtbot: QtBot) -> None:
+def test_the_set_tells_its_dimensions(judged, qtbot):
     dialog = asked(judged)
     enter(dialog, width=66.2)
     dialog.estimate_button.click()
@@ -145,9 +135,7 @@ def test_the_set_tells_its_dimensions(judged: MainWindow, qtbot: QtBot) -> None:
     dialog.reject()
 
 
-def test_frames_of_stadiums_take_no_part(
-    make_window, annotated: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_frames_of_stadiums_take_no_part(make_window, annotated, qtbot, monkeypatch):
     """What is found is for the others, as the dialog says."""
     (annotated / "stadiums.csv").write_text("frame,stadium,width\n00001,A,64\n00002,A,64\n")
     window = make_window(annotated)
@@ -167,9 +155,7 @@ def test_frames_of_stadiums_take_no_part(
     dialog.reject()
 
 
-def test_the_estimate_can_be_stopped(
-    judged: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_estimate_can_be_stopped(judged, qtbot, monkeypatch):
     begun, go_on, looked_at = threading.Event(), threading.Event(), []
 
     def hold(*terms: Any, progress: Callable[[int, int], None], **more: Any) -> Estimate:
@@ -198,7 +184,7 @@ def test_the_estimate_can_be_stopped(
     dialog.reject()
 
 
-def test_another_dataset_closes_the_question(judged: MainWindow, dataset: Path) -> None:
+def test_another_dataset_closes_the_question(judged, dataset):
     dialog = asked(judged)
     enter(dialog, length=100.0)
     assert judged.document.opening.open_path(dataset)
@@ -206,7 +192,7 @@ def test_another_dataset_closes_the_question(judged: MainWindow, dataset: Path) 
     assert judged.document.state.field.is_nominal
 
 
-def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtBot) -> None:
+def test_whatever_the_rules_leave_open_can_be_set(window, qtbot):
     document = window.document
     document.terms.set_field(load_field("tennis"))
     dialog = asked(window)
@@ -239,9 +225,7 @@ def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtB
     assert told == ["the rules fix every dimension of the field Handball"]
 
 
-def test_clicks_lie_on_the_middle_of_the_paint(
-    judged: MainWindow, qtbot: QtBot, annotated: Path, dataset: Path
-) -> None:
+def test_clicks_lie_on_the_middle_of_the_paint(judged, qtbot, annotated, dataset):
     document = judged.document
     before = document.judge.score
     dialog = asked(judged)
@@ -270,7 +254,7 @@ def test_clicks_lie_on_the_middle_of_the_paint(
 
 
 @pytest.mark.parametrize("typed", ["101,3", "101.3"])
-def test_a_decimal_comma_is_a_point(judged: MainWindow, qtbot: QtBot, typed: str) -> None:
+def test_a_decimal_comma_is_a_point(judged, qtbot, typed):
     dialog = asked(judged)
     qtbot.waitUntil(dialog.isActiveWindow)
     box = dialog.boxes["length"]
@@ -282,7 +266,7 @@ def test_a_decimal_comma_is_a_point(judged: MainWindow, qtbot: QtBot, typed: str
     assert "101.3" in (judged.document.review.database.setting("field_dimensions") or "")
 
 
-def test_a_number_outside_the_rules_is_told(judged: MainWindow, qtbot: QtBot) -> None:
+def test_a_number_outside_the_rules_is_told(judged, qtbot):
     dialog = asked(judged)
     qtbot.waitUntil(dialog.isActiveWindow)
     box, rule = dialog.boxes["length"], dialog.rules["length"]
@@ -300,9 +284,7 @@ def test_a_number_outside_the_rules_is_told(judged: MainWindow, qtbot: QtBot) ->
     assert judged.field_dimensions.dialog is None
 
 
-def test_numbers_that_the_rules_do_not_allow_together_are_told(
-    judged: MainWindow, qtbot: QtBot
-) -> None:
+def test_numbers_that_the_rules_do_not_allow_together_are_told(judged, qtbot):
     document, dialog = judged.document, asked(judged)
     enter(dialog, length=90.0, width=88.0)
     qtbot.waitUntil(lambda: document.state.field.described == "soccer 90 x 88 m")
@@ -320,9 +302,7 @@ def test_numbers_that_the_rules_do_not_allow_together_are_told(
     qtbot.waitUntil(lambda: document.state.field.is_nominal)
 
 
-def test_a_window_that_is_closed_changes_no_field_any_more(
-    judged: MainWindow, qtbot: QtBot
-) -> None:
+def test_a_window_that_is_closed_changes_no_field_any_more(judged, qtbot):
     document = judged.document
     dialog = asked(judged)
     enter(dialog, length=101.0)

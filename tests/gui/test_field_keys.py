@@ -1,7 +1,5 @@
 """Keys of elements, of every shipped field: no action of the window and no held key has them."""
 
-from __future__ import annotations
-
 import pytest
 from PySide6.QtGui import QKeySequence
 
@@ -18,7 +16,7 @@ def strokes(keys: str) -> tuple[str, ...]:
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_no_key_has_two_meanings(name: str) -> None:
+def test_no_key_has_two_meanings(name):
     taken = {strokes(keys)[0] for action in ACTIONS for keys in action.keys} | set(HELD)
     own = {e.name: strokes(e.shortcut) for e in load_field(name).elements if e.shortcut}
     for element, keys in own.items():

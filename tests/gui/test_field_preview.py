@@ -1,14 +1,10 @@
 """The window of ``field show``: map and elements of a file, as it is written."""
 
-from __future__ import annotations
-
 import signal
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
@@ -17,11 +13,9 @@ from procc_annotator.gui import field_preview
 from procc_annotator.gui.field_preview import FieldPreview
 from tests.gui.test_field_choice import YARD
 
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-
 
 @pytest.fixture
-def preview(qtbot: QtBot, qapp: QApplication):
+def preview(qtbot, qapp):
     made: list[FieldPreview] = []
 
     def show(source: str | Path, **dimensions: float) -> FieldPreview:
@@ -40,7 +34,7 @@ def listed(window: FieldPreview) -> set[str]:
     return set(window.elements._items)
 
 
-def test_a_shipped_field_is_shown_with_its_dimensions(preview, qtbot: QtBot) -> None:
+def test_a_shipped_field_is_shown_with_its_dimensions(preview, qtbot):
     window = preview("soccer", length=100.0)
     field = load_field("soccer", length=100.0)
     qtbot.waitUntil(lambda: window.document.state.field == field, timeout=20_000)
@@ -50,7 +44,7 @@ def test_a_shipped_field_is_shown_with_its_dimensions(preview, qtbot: QtBot) -> 
     assert window.problem_bar.isHidden()
 
 
-def test_a_file_is_followed_while_it_is_written(preview, qtbot: QtBot, tmp_path: Path) -> None:
+def test_a_file_is_followed_while_it_is_written(preview, qtbot, tmp_path):
     path = tmp_path / "yard.toml"
     path.write_text("name = ")
     window = preview(path)
@@ -71,7 +65,7 @@ def test_a_file_is_followed_while_it_is_written(preview, qtbot: QtBot, tmp_path:
     assert window.map.position_of("door") is not None
 
 
-def test_the_command_opens_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_the_command_opens_it(monkeypatch, tmp_path):
     asked: list[tuple[object, ...]] = []
 
     def run(*terms: object) -> int:
@@ -93,7 +87,7 @@ def test_the_command_opens_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
 
 
 @pytest.mark.new_window
-def test_ctrl_c_in_the_terminal_closes_it(qapp: QApplication) -> None:
+def test_ctrl_c_in_the_terminal_closes_it(qapp):
     before = signal.getsignal(signal.SIGINT)
     try:
         QTimer.singleShot(50, lambda: signal.raise_signal(signal.SIGINT))

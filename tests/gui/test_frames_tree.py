@@ -1,25 +1,21 @@
 """The list of frames of a dataset whose pictures lie in folders of folders."""
 
-from __future__ import annotations
-
 import json
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.delegate import folder_words
 from procc_annotator.gui.panels.frames.model import FolderInfo
-from tests.gui.conftest import Hand, MakeWindow, all_done
+from tests.gui.conftest import all_done
 
 
 @pytest.fixture
-def tree(tmp_path: Path, striped: list[bytes]) -> Path:
+def tree(tmp_path, striped) -> Path:
     root = tmp_path / "season"
     for match in ("a/img1", "b/img1"):
         (root / match).mkdir(parents=True)
@@ -29,7 +25,7 @@ def tree(tmp_path: Path, striped: list[bytes]) -> Path:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, tree: Path) -> MainWindow:
+def window(make_window, tree) -> MainWindow:
     return make_window(tree)
 
 
@@ -48,23 +44,21 @@ def _current(window: MainWindow) -> int:
     return window.frames.list.currentIndex().row()
 
 
-def test_frames_lie_in_folders_of_which_the_one_on_screen_is_open(window: MainWindow) -> None:
+def test_frames_lie_in_folders_of_which_the_one_on_screen_is_open(window):
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
     assert _current(window) == 1
     assert window.frames.count.text() == "6 frames in 2 folders"
     assert window.windowTitle().startswith("a/img1/0")
 
 
-def test_going_on_opens_the_next_folder(window: MainWindow) -> None:
+def test_going_on_opens_the_next_folder(window):
     window.document.walk.go_to(3)
     window.frames._follow_frames()
     assert _rows(window)[4:] == ["[b/img1]", "0", "1", "2"]
     assert _current(window) == 5
 
 
-def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(
-    window: MainWindow, qtbot: QtBot
-) -> None:
+def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(window, qtbot):
     view = window.frames.list
     place = view.visualRect(window.frames.model.index(0)).center()
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
@@ -74,7 +68,7 @@ def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
 
 
-def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:
+def test_keys_fold_and_unfold(window, qtbot):
     view = window.frames.list
     view.setFocus()
     qtbot.keyClick(view, Qt.Key.Key_Left)  # from the frame to its folder
@@ -96,7 +90,7 @@ def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:
     assert _rows(window)[1:] == ["[b/img1]", "0", "1", "2"]
 
 
-def test_a_filter_shows_what_matches_in_every_folder(window: MainWindow) -> None:
+def test_a_filter_shows_what_matches_in_every_folder(window):
     window.frames.filter.setText("img1/2")
     assert _rows(window) == ["[a/img1]", "2", "[b/img1]", "2"]
     info = window.frames.model.folder_info(0)
@@ -107,7 +101,7 @@ def test_a_filter_shows_what_matches_in_every_folder(window: MainWindow) -> None
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
 
 
-def test_a_folder_tells_how_much_of_it_is_done(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_folder_tells_how_much_of_it_is_done(window, qtbot):
     window.document.review.set_status("b/img1/1", Status.DONE)
 
     def done() -> list[int]:
@@ -119,14 +113,12 @@ def test_a_folder_tells_how_much_of_it_is_done(window: MainWindow, qtbot: QtBot)
     qtbot.waitUntil(lambda: done() == [0, 0])
 
 
-def test_words_of_a_folder() -> None:
+def test_words_of_a_folder():
     info = FolderInfo("a", 0, folded=True, frames=1200, shown=1200, done=30, jac=None)
     assert folder_words(info) == ["1,200 frames · 30 done", "1,200 frames", "30/1200"]
 
 
-def test_an_edit_is_saved_beside_the_picture_of_its_match(
-    window: MainWindow, hand: Hand, tree: Path
-) -> None:
+def test_an_edit_is_saved_beside_the_picture_of_its_match(window, hand, tree):
     window.document.walk.go_to(4)
     hand.draw("Middle line", (100, 50), (120, 200))
     assert [p.relative_to(tree).as_posix() for p in tree.rglob("*.json")] == ["b/img1/1.json"]
@@ -136,9 +128,7 @@ def test_an_edit_is_saved_beside_the_picture_of_its_match(
     assert names == {"a/img1/1.json", "b/img1/1.json"}
 
 
-def test_while_blind_no_folder_tells_a_score(
-    make_window: MakeWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_while_blind_no_folder_tells_a_score(make_window, sample_data, tmp_path, qtbot):
     for match in ("a", "b"):
         folder, cameras = tmp_path / "season" / match, tmp_path / "cameras" / match
         folder.mkdir(parents=True)
@@ -161,8 +151,8 @@ def test_while_blind_no_folder_tells_a_score(
 
 
 def test_an_annotation_without_the_folder_of_pictures_is_shown_and_saved_where_it_is(
-    make_window: MakeWindow, tree: Path, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
-) -> None:
+    make_window, tree, hand_on, qtbot
+):
     path = tree / "annotations/a/0.json"
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps({"Middle line": [{"x": 0.1, "y": 0.1}, {"x": 0.4, "y": 0.4}]}))

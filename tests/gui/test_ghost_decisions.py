@@ -1,10 +1,6 @@
 """What a hand decided of ghosts is kept, or it is said that it is not; and nothing else happens."""
 
-from __future__ import annotations
-
 import threading
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -19,7 +15,7 @@ from procc_annotator.gui.commands.elements import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.interaction.overlay_predictions import ghost_extent
-from tests.gui.conftest import KEPT, Hand, MakeWindow, let_work_end, wait_for_ghosts
+from tests.gui.conftest import KEPT, Hand, let_work_end, wait_for_ghosts
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -27,12 +23,12 @@ Key = Qt.Key
 
 
 @pytest.fixture
-def hand(begun: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+def hand(begun, hand_on) -> Hand:
     return hand_on(begun)
 
 
 @pytest.fixture
-def go_on(monkeypatch: pytest.MonkeyPatch) -> threading.Event:
+def go_on(monkeypatch) -> threading.Event:
     """The searches along ghosts wait for this."""
     event = threading.Event()
 
@@ -46,7 +42,7 @@ def go_on(monkeypatch: pytest.MonkeyPatch) -> threading.Event:
 
 
 @pytest.fixture
-def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+def patient(monkeypatch) -> None:
     """However busy the machine is, the search ends in time."""
     monkeypatch.setattr(ghost_accepting, "_MOST_WAIT_S", 20.0)
 
@@ -68,9 +64,7 @@ def find(window: MainWindow, qtbot: QtBot) -> None:
 
 @pytest.mark.usefixtures("patient")
 class TestLeaving:
-    def test_all_accepted_and_left_at_once(
-        self, begun: MainWindow, hand: Hand, told: list[str]
-    ) -> None:
+    def test_all_accepted_and_left_at_once(self, begun, hand, told):
         document = begun.document
         hand.key(Key.Key_Return, SHIFT)
         assert document.state.annotation.annotated == KEPT
@@ -83,9 +77,7 @@ class TestLeaving:
         hand.key(Key.Key_Z, CTRL)
         assert document.state.annotation.annotated == KEPT
 
-    def test_one_accepted_and_left_at_once(
-        self, begun: MainWindow, hand: Hand, told: list[str]
-    ) -> None:
+    def test_one_accepted_and_left_at_once(self, begun, hand, told):
         document = begun.document
         hand.key(Key.Key_Tab)
         name = current(begun)
@@ -95,14 +87,8 @@ class TestLeaving:
         assert f"accepted {document.state.field.title_of(name)} on 00002" in told[-1]
 
     def test_what_takes_too_long_is_said_to_be_dropped(
-        self,
-        begun: MainWindow,
-        hand: Hand,
-        qtbot: QtBot,
-        told: list[str],
-        go_on: threading.Event,
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:
+        self, begun, hand, qtbot, told, go_on, monkeypatch
+    ):
         monkeypatch.setattr(ghost_accepting, "_MOST_WAIT_S", 0.01)
         hand.key(Key.Key_Return, SHIFT)
         hand.key(Key.Key_A)
@@ -111,7 +97,7 @@ class TestLeaving:
         let_work_end(qtbot)
         assert begun.document.state.workspace.read(1).annotated == KEPT
 
-    def test_tab_goes_on_once_it_is_accepted(self, begun: MainWindow, hand: Hand) -> None:
+    def test_tab_goes_on_once_it_is_accepted(self, begun, hand):
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
@@ -119,9 +105,7 @@ class TestLeaving:
         assert begun.document.state.annotation.get(name) is not None
 
 
-def test_undo_takes_back_what_is_waited_for_and_nothing_else(
-    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str], go_on: threading.Event
-) -> None:
+def test_undo_takes_back_what_is_waited_for_and_nothing_else(begun, hand, qtbot, told, go_on):
     document = begun.document
     document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
     shortened = document.state.annotation
@@ -137,8 +121,8 @@ def test_undo_takes_back_what_is_waited_for_and_nothing_else(
 
 
 def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
-    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str], go_on: threading.Event
-) -> None:
+    begun, hand, qtbot, told, go_on
+):
     document = begun.document
     hand.key(Key.Key_Tab)
     name = current(begun)
@@ -153,9 +137,7 @@ def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
     assert len(document.state.annotation.get(name).points) == 2
 
 
-def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(
-    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-) -> None:
+def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(begun, hand, qtbot, told):
     document = begun.document
     document.selecting.select_class("Middle line")
     hand.key(Key.Key_Tab)
@@ -173,9 +155,7 @@ def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(
     assert len(document.state.annotation.get(name).points) == count
 
 
-def test_chosen_in_the_list_and_accepted_with_all_others(
-    begun: MainWindow, hand: Hand, qtbot: QtBot
-) -> None:
+def test_chosen_in_the_list_and_accepted_with_all_others(begun, hand, qtbot):
     document = begun.document
     name = names(begun)[0]
     document.selecting.select_class(name)
@@ -195,7 +175,7 @@ class TestTab:
         assert window.document.state.frame_index == frame
         return told[-1]
 
-    def test_in_blind_mode(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
+    def test_in_blind_mode(self, begun, hand, told):
         hand.key(Key.Key_B)
         assert "no ghosts in blind mode" in self.says(begun, hand, told)
         begun.document.selecting.select_class(None)
@@ -203,30 +183,26 @@ class TestTab:
         assert told[-1].startswith("no ghosts in blind mode")
         assert "choose an element first" in told[-1]
 
-    def test_in_a_dataset_that_is_locked_to_it(
-        self, begun: MainWindow, hand: Hand, told: list[str]
-    ) -> None:
+    def test_in_a_dataset_that_is_locked_to_it(self, begun, hand, told):
         """Neither committing the frame nor the live fit's key brings any."""
         begun.document.blind_lock.set_locked(True)
         said = self.says(begun, hand, told)
         assert said.startswith("no ghosts: ")
         assert "locked this dataset to blind mode" in said
 
-    def test_switched_off(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
+    def test_switched_off(self, begun, hand, told):
         begun.actions_["ghosts"].trigger()
         assert "they are switched off" in self.says(begun, hand, told)
 
-    def test_without_the_live_fit(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
+    def test_without_the_live_fit(self, begun, hand, told):
         hand.key(Key.Key_T, CTRL)
         assert "the live fit is off (Ctrl+T)" in self.says(begun, hand, told)
 
-    def test_another_key_takes_the_keyboard_to_the_panels(
-        self, begun: MainWindow, hand: Hand
-    ) -> None:
+    def test_another_key_takes_the_keyboard_to_the_panels(self, begun, hand):
         hand.key(Key.Key_Tab, CTRL)
         assert QApplication.focusWidget() is not begun.canvas
 
-    def test_in_the_list_of_frames_it_leaves_the_list(self, begun: MainWindow) -> None:
+    def test_in_the_list_of_frames_it_leaves_the_list(self, begun):
         frames = begun.frames.list
         frames.setFocus()
         QTest.keyClick(frames, Key.Key_Tab)
@@ -234,9 +210,7 @@ class TestTab:
         assert begun.document.state.frame_index == 1
 
 
-def test_nothing_is_accepted_that_is_hidden(
-    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-) -> None:
+def test_nothing_is_accepted_that_is_hidden(begun, hand, qtbot, told):
     hand.key(Key.Key_Tab)
     find(begun, qtbot)
     hand.key(Key.Key_H, CTRL)
@@ -251,7 +225,7 @@ def test_nothing_is_accepted_that_is_hidden(
     assert begun.document.state.annotation.annotated == KEPT
 
 
-def test_a_walk_left_goes_on_where_the_status_bar_says(begun: MainWindow, hand: Hand) -> None:
+def test_a_walk_left_goes_on_where_the_status_bar_says(begun, hand):
     hand.key(Key.Key_Tab)
     hand.key(Key.Key_Escape)
     assert f"Tab: next of {len(names(begun))} ghosts" in begun.canvas.hint
@@ -265,14 +239,7 @@ def test_a_walk_left_goes_on_where_the_status_bar_says(begun: MainWindow, hand: 
 
 class TestReadOnly:
     @pytest.fixture
-    def second(
-        self,
-        begun: MainWindow,
-        make_window: MakeWindow,
-        annotated: Path,
-        qtbot: QtBot,
-        told: list[str],
-    ) -> MainWindow:
+    def second(self, begun, make_window, annotated, qtbot, told) -> MainWindow:
         """Another window on the frame, which the first one has."""
         first = begun.document
         first.presence.set_dataset(annotated, "Ada")
@@ -290,13 +257,8 @@ class TestReadOnly:
         return second
 
     def test_ghosts_can_be_looked_at_but_nothing_is_written(
-        self,
-        second: MainWindow,
-        hand_on: Callable[[MainWindow], Hand],
-        qtbot: QtBot,
-        told: list[str],
-        annotated: Path,
-    ) -> None:
+        self, second, hand_on, qtbot, told, annotated
+    ):
         hand, document = hand_on(second), second.document
         hand.key(Key.Key_Tab)
         find(second, qtbot)
@@ -316,9 +278,7 @@ class TestReadOnly:
         assert not (annotated / "cameras" / "fitted").exists()
 
 
-def test_accepting_all_says_why_there_is_nothing_to_accept(
-    window: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
-) -> None:
+def test_accepting_all_says_why_there_is_nothing_to_accept(window, hand_on, qtbot):
     """A frame without clicks has no camera, hence no ghosts; nor is one found in its picture."""
     document = window.document
     qtbot.waitUntil(lambda: not document.live_fit.working and not document.proposals.working)

@@ -1,13 +1,10 @@
 """Ghosts by hand: Tab, Enter, Shift+Enter, not visible here; never stale, never in blind mode."""
 
-from __future__ import annotations
-
 import json
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -39,7 +36,7 @@ Key = Qt.Key
 
 
 @pytest.fixture
-def hand(begun: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+def hand(begun, hand_on) -> Hand:
     return hand_on(begun)
 
 
@@ -63,9 +60,7 @@ def go(window: MainWindow, hand: Hand, qtbot: QtBot) -> str:
 
 
 class TestShown:
-    def test_they_are_drawn_below_everything_and_hidden_with_the_rest(
-        self, begun: MainWindow, hand: Hand
-    ) -> None:
+    def test_they_are_drawn_below_everything_and_hidden_with_the_rest(self, begun, hand):
         item = begun.canvas.overlay_item
         assert len(names(begun)) >= 5
         assert not set(names(begun)) & set(begun.document.state.annotation.annotated)
@@ -78,14 +73,7 @@ class TestShown:
         assert item.ghosts is EMPTY_OVERLAY
         assert not names(begun)
 
-    def test_none_in_blind_mode(self, begun: MainWindow, hand: Hand) -> None:
-        hand.key(Key.Key_B)
-        assert begun.canvas.overlay_item.ghosts is EMPTY_OVERLAY
-        assert begun.document.ghosts.suggestion is None
-        hand.key(Key.Key_Tab)
-        assert current(begun) is None
-
-    def test_tab_still_moves_the_focus_in_panels(self, begun: MainWindow) -> None:
+    def test_tab_still_moves_the_focus_in_panels(self, begun):
         search = begun.elements.search
         search.setFocus()
         QTest.keyClick(search, Key.Key_Tab)
@@ -93,8 +81,8 @@ class TestShown:
         assert current(begun) is None
 
     def test_they_stay_while_new_ones_are_worked_out_but_not_those_annotated_now(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+        self, begun, hand, qtbot
+    ):
         document, before = begun.document, names(begun)
         points = document.state.annotation.get(KEPT[0]).points[:2]
         document.editing.commit_edit(
@@ -108,9 +96,7 @@ class TestShown:
 
 
 class TestWalk:
-    def test_tab_goes_through_all_and_gives_the_view_back(
-        self, begun: MainWindow, hand: Hand, told: list[str]
-    ) -> None:
+    def test_tab_goes_through_all_and_gives_the_view_back(self, begun, hand, told):
         document, canvas = begun.document, begun.canvas
         document.selecting.select_class("Middle line")
         scale = canvas.view_scale
@@ -143,9 +129,7 @@ class TestWalk:
         hand.key(Key.Key_Tab)
         assert current(begun) == visited[0]
 
-    def test_escape_goes_back_and_tab_goes_on_from_there(
-        self, begun: MainWindow, hand: Hand
-    ) -> None:
+    def test_escape_goes_back_and_tab_goes_on_from_there(self, begun, hand):
         place = begun.canvas.place
         hand.key(Key.Key_Tab)
         hand.key(Key.Key_Escape)
@@ -154,7 +138,7 @@ class TestWalk:
         hand.key(Key.Key_Tab)
         assert current(begun) == names(begun)[1]
 
-    def test_drawing_by_hand_ends_the_walk_where_it_is(self, begun: MainWindow, hand: Hand) -> None:
+    def test_drawing_by_hand_ends_the_walk_where_it_is(self, begun, hand):
         hand.key(Key.Key_Tab)
         name, scale = current(begun), begun.canvas.view_scale
         left, top, right, bottom = ghost_extent(begun.document.ghosts.current)
@@ -165,7 +149,7 @@ class TestWalk:
         hand.key(Key.Key_Return)  # finishes what is drawn
         assert len(begun.document.state.annotation.get(name).points) == 2
 
-    def test_choosing_another_element_means_that_one(self, begun: MainWindow, hand: Hand) -> None:
+    def test_choosing_another_element_means_that_one(self, begun, hand):
         hand.key(Key.Key_Tab)
         begun.document.selecting.select_class(names(begun)[2])
         assert current(begun) == names(begun)[2]
@@ -173,9 +157,7 @@ class TestWalk:
         assert current(begun) is None
         assert begun.document.state.selected_class == "Middle line"
 
-    def test_the_status_bar_says_what_the_keys_do(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_the_status_bar_says_what_the_keys_do(self, begun, hand, qtbot):
         assert f"Tab: first of {len(names(begun))} ghosts" in begun.canvas.hint
         name = go(begun, hand, qtbot)
         count = len(begun.document.ghosts.found(name).points)
@@ -186,9 +168,7 @@ class TestWalk:
 
 
 class TestAccept:
-    def test_enter_accepts_what_is_shown_and_goes_on(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-    ) -> None:
+    def test_enter_accepts_what_is_shown_and_goes_on(self, begun, hand, qtbot, told):
         document = begun.document
         name = go(begun, hand, qtbot)
         found = document.ghosts.found(name)
@@ -208,14 +188,7 @@ class TestAccept:
         wait_for_ghosts(begun, qtbot)
         assert name in names(begun)
 
-    def test_ends_that_cannot_be_seen_are_told(
-        self,
-        begun: MainWindow,
-        hand: Hand,
-        qtbot: QtBot,
-        told: list[str],
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:
+    def test_ends_that_cannot_be_seen_are_told(self, begun, hand, qtbot, told, monkeypatch):
         def hidden(*terms: Any) -> GhostPoints:
             return replace(find_points(*terms), unsure_ends=1)
 
@@ -226,9 +199,7 @@ class TestAccept:
         assert begun.document.state.annotation.get(name) is not None
         assert "1 end cannot be seen: the points stop before" in told[-1]
 
-    def test_enter_before_the_points_are_found_accepts_them_then(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_enter_before_the_points_are_found_accepts_them_then(self, begun, hand, qtbot):
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
@@ -237,9 +208,7 @@ class TestAccept:
             lambda: begun.document.state.annotation.get(name) is not None, timeout=20_000
         )
 
-    def test_an_edit_in_between_drops_it(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-    ) -> None:
+    def test_an_edit_in_between_drops_it(self, begun, hand, qtbot, told):
         document = begun.document
         hand.key(Key.Key_Tab)
         name = current(begun)
@@ -251,13 +220,8 @@ class TestAccept:
         assert any("not accepted: the frame was edited meanwhile" in text for text in told)
 
     def test_without_a_line_in_the_picture_nothing_is_accepted(
-        self,
-        begun: MainWindow,
-        hand: Hand,
-        qtbot: QtBot,
-        told: list[str],
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:
+        self, begun, hand, qtbot, told, monkeypatch
+    ):
         document = begun.document
         document.store.update(picture=np.full_like(document.walk.picture, 90))
         name = go(begun, hand, qtbot)
@@ -267,9 +231,7 @@ class TestAccept:
         assert current(begun) == name
         assert "no painted line is found along it" in told[-1]
 
-    def test_all_with_enough_of_their_line_in_one_step(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-    ) -> None:
+    def test_all_with_enough_of_their_line_in_one_step(self, begun, hand, qtbot, told):
         document, known = begun.document, names(begun)
         hand.key(Key.Key_Return, SHIFT)
         qtbot.waitUntil(lambda: document.state.annotation.annotated != KEPT, timeout=20_000)
@@ -284,9 +246,7 @@ class TestAccept:
         begun.canvas.undo()
         assert document.state.annotation.annotated == KEPT
 
-    def test_one_key_accepts_all_and_goes_on(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_one_key_accepts_all_and_goes_on(self, begun, hand, qtbot):
         document, here = begun.document, begun.document.state.frame_index
         hand.key(Key.Key_Return, ALT)
         qtbot.waitUntil(lambda: document.state.frame_index == here + 1, timeout=20_000)
@@ -296,9 +256,7 @@ class TestAccept:
         qtbot.waitUntil(lambda: document.state.frame_index == here, timeout=20_000)
         assert len(document.state.annotation.annotated) >= len(KEPT) + 4
 
-    def test_where_nothing_can_be_accepted_it_goes_on_all_the_same(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_where_nothing_can_be_accepted_it_goes_on_all_the_same(self, begun, hand, qtbot):
         """The frame is annotated: what is left of its lines cannot be seen."""
         document, here = begun.document, begun.document.state.frame_index
         document.store.update(picture=np.full_like(document.walk.picture, 90))
@@ -308,14 +266,7 @@ class TestAccept:
         qtbot.waitUntil(lambda: document.state.frame_index == here, timeout=20_000)
         assert document.state.annotation.annotated == KEPT
 
-    def test_the_share_asked_for_is_kept(
-        self,
-        begun: MainWindow,
-        hand: Hand,
-        qtbot: QtBot,
-        told: list[str],
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:
+    def test_the_share_asked_for_is_kept(self, begun, hand, qtbot, told, monkeypatch):
         monkeypatch.setattr(QInputDialog, "getInt", lambda *_: (100, True))
         begun.actions_["ghost_support"].trigger()
         assert begun.ghost_tasks.accepting.least_support == 1.0
@@ -326,7 +277,7 @@ class TestAccept:
         assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]
         assert begun.document.state.annotation.annotated == KEPT
 
-    def test_while_drawing_the_keys_keep_their_meaning(self, begun: MainWindow, hand: Hand) -> None:
+    def test_while_drawing_the_keys_keep_their_meaning(self, begun, hand):
         begun.document.selecting.select_class("Middle line")
         hand.click(1000, 600)
         hand.click(1100, 650)
@@ -335,13 +286,8 @@ class TestAccept:
         assert not begun.ghost_tasks.accepting.busy
 
     def test_another_model_drops_what_was_asked_of_the_ghosts_before(
-        self,
-        begun: MainWindow,
-        hand: Hand,
-        qtbot: QtBot,
-        told: list[str],
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:
+        self, begun, hand, qtbot, told, monkeypatch
+    ):
         document, go_on = begun.document, threading.Event()
 
         def slow(*terms: Any) -> GhostPoints:
@@ -359,9 +305,7 @@ class TestAccept:
         let_work_end(qtbot)
         assert document.state.annotation.annotated == KEPT
 
-    def test_enter_on_a_ghost_is_for_that_model(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-    ) -> None:
+    def test_enter_on_a_ghost_is_for_that_model(self, begun, hand, qtbot, told):
         document = begun.document
         hand.key(Key.Key_Tab)
         name = current(begun)
@@ -372,9 +316,7 @@ class TestAccept:
         qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
         assert document.state.annotation.annotated == KEPT
 
-    def test_all_from_the_menu_while_drawing_finishes_that_first(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
-    ) -> None:
+    def test_all_from_the_menu_while_drawing_finishes_that_first(self, begun, hand, qtbot, told):
         document = begun.document
         document.selecting.select_class("Middle line")
         hand.click(1000, 600)
@@ -389,9 +331,7 @@ class TestAccept:
 
 
 class TestNotVisible:
-    def test_the_key_hides_a_ghost_for_good_and_goes_on(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_the_key_hides_a_ghost_for_good_and_goes_on(self, begun, hand, qtbot):
         document = begun.document
         hand.key(Key.Key_Tab)
         name, following = names(begun)[:2]
@@ -406,9 +346,7 @@ class TestNotVisible:
         hand.key(Key.Key_Period, CTRL)
         qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
 
-    def test_the_same_key_on_the_chosen_element_takes_it_back(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_the_same_key_on_the_chosen_element_takes_it_back(self, begun, hand, qtbot):
         document, name = begun.document, names(begun)[0]
         document.selecting.select_class(name)
         for hidden in (True, False):
@@ -416,15 +354,13 @@ class TestNotVisible:
             assert (name in document.review.not_visible(document.state.frame.name)) is hidden
         qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
 
-    def test_an_annotated_element_is_visible(
-        self, begun: MainWindow, hand: Hand, told: list[str]
-    ) -> None:
+    def test_an_annotated_element_is_visible(self, begun, hand, told):
         begun.document.selecting.select_class(KEPT[0])
         hand.key(Key.Key_Period)
         assert not begun.document.review.not_visible("00002")
         assert "is annotated here" in told[-1]
 
-    def test_the_menu_lists_them(self, begun: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+    def test_the_menu_lists_them(self, begun, hand, qtbot):
         document, name = begun.document, names(begun)[0]
         title = document.state.field.title_of(name)
         begun.ghost_tasks.set_not_visible(name, True)
@@ -436,9 +372,7 @@ class TestNotVisible:
         assert not document.review.not_visible("00002")
         assert not [m for m in self.menu(begun).findChildren(QMenu) if "back" in m.title()]
 
-    def test_a_ghost_under_the_cursor_is_in_the_menu(
-        self, begun: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_a_ghost_under_the_cursor_is_in_the_menu(self, begun, hand, qtbot):
         ghost = begun.document.ghosts.named("Side line top")
         x, y = ghost.pieces[0].points_px[len(ghost.pieces[0].points_px) // 2].tolist()
         hand.move(x, y)
@@ -465,7 +399,7 @@ class TestNotVisible:
 
 
 class TestNext:
-    def test_the_field_map_says_what_tells_most(self, begun: MainWindow, qtbot: QtBot) -> None:
+    def test_the_field_map_says_what_tells_most(self, begun, qtbot):
         document, field_map = begun.document, begun.field_map
         best = document.live_fit.insight.suggestions[0]
         assert document.ghosts.suggestion == best
@@ -480,7 +414,7 @@ class TestNext:
         begun.actions_["suggest"].trigger()
         assert document.ghosts.suggestion is None
 
-    def test_it_is_never_what_cannot_be_seen(self, begun: MainWindow) -> None:
+    def test_it_is_never_what_cannot_be_seen(self, begun):
         best = begun.document.ghosts.suggestion.name
         begun.ghost_tasks.set_not_visible(best, True)
         suggestion = begun.document.ghosts.suggestion
@@ -495,7 +429,7 @@ class TestAutoAdvance:
         hand.key(Key.Key_Return)
         return window.document.state.selected_class
 
-    def test_it_goes_on_to_what_tells_most(self, begun: MainWindow, hand: Hand) -> None:
+    def test_it_goes_on_to_what_tells_most(self, begun, hand):
         best = begun.document.ghosts.suggestion.name
         other = next(name for name in names(begun) if name != best)
         begun.document.selecting.select_class(other)
@@ -505,14 +439,14 @@ class TestAutoAdvance:
         hand.key(Key.Key_Return)
         assert begun.document.state.selected_class == best
 
-    def test_never_to_what_is_not_in_sight(self, begun: MainWindow, hand: Hand) -> None:
+    def test_never_to_what_is_not_in_sight(self, begun, hand):
         document = begun.document
         begun.actions_["suggest"].trigger()  # the nearest on the field comes next
         away = document.ghosts.out_of_sight
         assert "Middle line" in away
         assert self.finish(begun, hand, "Side line top") not in away | {"Side line top"}
 
-    def test_without_a_fit_as_ever(self, begun: MainWindow, hand: Hand) -> None:
+    def test_without_a_fit_as_ever(self, begun, hand):
         document = begun.document
         document.live_fit.set_wanted(False)
         assert not document.ghosts.out_of_sight
@@ -525,9 +459,7 @@ class TestAutoAdvance:
         assert self.finish(begun, hand, "Side line top") == expected
 
 
-def test_nothing_is_looked_for_twice(
-    begun: MainWindow, hand: Hand, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_looked_for_twice(begun, hand, qtbot, monkeypatch):
     """The next ghost's points are there before Tab asks for them."""
     asked: list[str] = []
     original = ghosts_module.find_points
@@ -549,12 +481,8 @@ def test_nothing_is_looked_for_twice(
 
 
 def test_a_search_that_fails_unexpectedly_does_not_end_the_searches(
-    begun: MainWindow,
-    hand: Hand,
-    qtbot: QtBot,
-    told: list[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    begun, hand, qtbot, told, monkeypatch
+):
     bugs: list[BaseException] = []
 
     def fail(*_: Any) -> GhostPoints:
@@ -573,7 +501,7 @@ class TestState:
     """What the document knows of ghosts, without a hand."""
 
     @pytest.fixture
-    def document(self, annotated: Path, qtbot: QtBot) -> Iterator[Document]:
+    def document(self, annotated, qtbot) -> Iterator[Document]:
         path = annotated / "00002.json"
         entries = json.loads(path.read_text())
         path.write_text(json.dumps({name: entries[name] for name in KEPT}))
@@ -584,7 +512,7 @@ class TestState:
         yield document
         document.close()
 
-    def test_a_walk(self, document: Document) -> None:
+    def test_a_walk(self, document):
         ghosts = document.ghosts
         known = [ghost.name for ghost in ghosts.known]
         assert known == sorted(known, key=document.state.field.index.__getitem__)
@@ -600,9 +528,7 @@ class TestState:
         assert not ghosts.walking
         assert ghosts.step(1) is None
 
-    def test_behind_the_last_one_come_those_that_were_passed_over(
-        self, document: Document, qtbot: QtBot
-    ) -> None:
+    def test_behind_the_last_one_come_those_that_were_passed_over(self, document, qtbot):
         ghosts, ends = document.ghosts, []
         ghosts.ended.connect(lambda: ends.append(True))
         first, *_, last = [ghost.name for ghost in ghosts.known]
@@ -616,15 +542,13 @@ class TestState:
         qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
         assert ends == [True]
 
-    def test_another_frame_ends_the_walk(self, document: Document) -> None:
+    def test_another_frame_ends_the_walk(self, document):
         document.ghosts.step(1)
         document.walk.go_to(2)
         assert not document.ghosts.walking
         assert document.ghosts.painted == ()
 
-    def test_another_window_says_what_cannot_be_seen(
-        self, document: Document, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_another_window_says_what_cannot_be_seen(self, document, annotated, qtbot):
         name = document.ghosts.known[0].name
         settings: list[str] = []
         document.review.settingChanged.connect(settings.append)
@@ -641,7 +565,7 @@ class TestState:
         assert settings == ["length"]
         assert document.review.setting("length") == "104.3"
 
-    def test_what_was_found_goes_with_its_insight(self, document: Document, qtbot: QtBot) -> None:
+    def test_what_was_found_goes_with_its_insight(self, document, qtbot):
         ghosts = document.ghosts
         name = ghosts.step(1).name
         qtbot.waitUntil(lambda: ghosts.found(name) is not None, timeout=20_000)
@@ -652,9 +576,7 @@ class TestState:
         assert ghosts.current.name == name
 
 
-def test_points_in_pictures_of_frames_that_were_left_are_let_go(
-    begun: MainWindow, hand: Hand, qtbot: QtBot
-) -> None:
+def test_points_in_pictures_of_frames_that_were_left_are_let_go(begun, hand, qtbot):
     """Each keeps the picture alive that it was looked for in."""
     name = go(begun, hand, qtbot)
     begun.document.walk.go_to(2)

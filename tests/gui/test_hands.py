@@ -1,12 +1,8 @@
 """Snapping, the loupe, regularising, copying, several points at once: the annotator's hands."""
 
-from __future__ import annotations
-
 import shutil
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 import cv2
 import numpy as np
@@ -25,12 +21,7 @@ from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.image.pixels import DisplayAdjustment
 from tests.bench.paint.measures import clicks_on
 from tests.bench.paint.truth import truth_frames
-from tests.gui.conftest import all_done
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, all_done
 
 SIZE = (960, 540)
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -59,7 +50,7 @@ def draw_pitch(shift: int) -> bytes:
 
 
 @pytest.fixture
-def pitch(tmp_path: Path) -> Path:
+def pitch(tmp_path) -> Path:
     """Two frames of a camera that pans by a tenth of the picture's width."""
     folder = tmp_path / "pitch"
     folder.mkdir()
@@ -69,12 +60,12 @@ def pitch(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def on_pitch(make_window: MakeWindow, pitch: Path) -> MainWindow:
+def on_pitch(make_window, pitch) -> MainWindow:
     return make_window(pitch)
 
 
 @pytest.fixture
-def clicks(on_pitch: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+def clicks(on_pitch, hand_on) -> Hand:
     return hand_on(on_pitch)
 
 
@@ -86,28 +77,23 @@ def px(window: MainWindow, name: str) -> np.ndarray:
 
 def kinds(window: MainWindow) -> dict[OriginKind, int]:
     document = window.document
-    assert document.state.frame is not None
     return document.review.origin_counts(document.state.frame.name, document.state.annotation)
 
 
 class TestSnapping:
-    def test_clicks_beside_the_line_land_on_its_centre_across_only(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_clicks_beside_the_line_land_on_its_centre_across_only(self, on_pitch, clicks):
         clicked = clicks.draw(MIDDLE, (484, 200), (476.5, 480))
         found = px(on_pitch, MIDDLE)
         assert found[:, 0] == pytest.approx(UPRIGHT, abs=0.5)
         assert found[:, 1] == pytest.approx(clicked[:, 1], abs=0.6)
         assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
 
-    def test_on_plain_grass_the_click_stays_where_it_was(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_on_plain_grass_the_click_stays_where_it_was(self, on_pitch, clicks):
         clicked = clicks.draw(MIDDLE, (350, 250), (360, 330))
         assert px(on_pitch, MIDDLE) == pytest.approx(clicked, abs=1e-9)
         assert kinds(on_pitch) == {OriginKind.CLICKED: 2}
 
-    def test_ctrl_and_the_toggle_suspend_it(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_ctrl_and_the_toggle_suspend_it(self, on_pitch, clicks):
         on_pitch.document.selecting.select_class(MIDDLE)
         first = clicks.click(484, 200, CTRL)
         clicks.key(Qt.Key.Key_S)
@@ -120,7 +106,7 @@ class TestSnapping:
         assert found[2, 0] == pytest.approx(UPRIGHT, abs=0.5)
         assert kinds(on_pitch) == {OriginKind.CLICKED: 2, OriginKind.SNAPPED: 1}
 
-    def test_a_dragged_point_snaps_too(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_a_dragged_point_snaps_too(self, on_pitch, clicks):
         clicks.draw(MIDDLE, (480, 200), (480, 480))
         clicks.key(Qt.Key.Key_W)
         clicks.drag((480, 200), (484, 260))
@@ -128,13 +114,10 @@ class TestSnapping:
         assert found[0, 0] == pytest.approx(UPRIGHT, abs=0.5)
         assert found[0, 1] == pytest.approx(260, abs=1.5)
 
-    def test_the_ring_shows_where_the_click_will_land(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_the_ring_shows_where_the_click_will_land(self, on_pitch, clicks):
         on_pitch.document.selecting.select_class(MIDDLE)
         clicks.move(484, 300)
         draft = on_pitch.canvas.editor.draft(on_pitch.canvas.cursor_px)
-        assert draft is not None
         assert draft.landing is not None
         landed = draft.landing
         clicks.click(484, 300)
@@ -143,9 +126,7 @@ class TestSnapping:
 
 
 class TestLoupe:
-    def test_it_follows_the_cursor_while_z_is_held(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_it_follows_the_cursor_while_z_is_held(self, on_pitch, clicks):
         loupe = on_pitch.canvas.loupe
         clicks.move(300, 300)
         assert not loupe.isVisible()
@@ -157,7 +138,7 @@ class TestLoupe:
         QTest.keyRelease(on_pitch.canvas, Qt.Key.Key_Z)
         assert not loupe.isVisible()
 
-    def test_it_comes_while_a_point_is_dragged(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_it_comes_while_a_point_is_dragged(self, on_pitch, clicks):
         clicks.draw(MIDDLE, (300, 300), (300, 400))
         clicks.key(Qt.Key.Key_W)
         viewport, none = on_pitch.canvas.viewport(), Qt.KeyboardModifier.NoModifier
@@ -168,22 +149,18 @@ class TestLoupe:
         clicks.move(315, 315)
         assert not on_pitch.canvas.loupe.isVisible()
 
-    def test_it_can_stay(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_it_can_stay(self, on_pitch, clicks):
         clicks.key(Qt.Key.Key_Z, SHIFT)
         clicks.move(300, 300)
         assert on_pitch.canvas.loupe.isVisible()
 
 
 class TestLooks:
-    def test_a_look_stays_across_frames_and_touches_no_pixel_of_the_frame(
-        self, on_pitch: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_look_stays_across_frames_and_touches_no_pixel_of_the_frame(self, on_pitch, qtbot):
         document, canvas = on_pitch.document, on_pitch.canvas
-        assert document.walk.picture is not None
         before = document.walk.picture.copy()
         on_pitch.rail.looks.set_look(DisplayAdjustment(brightness=0.3))
         canvas.set_look(DisplayAdjustment(brightness=0.3))
-        assert canvas.shown.pixels is not None
         assert canvas.shown.pixels.mean() > before.mean() + 10
         assert np.array_equal(document.walk.picture, before)
         document.walk.next_frame()
@@ -193,21 +170,18 @@ class TestLooks:
 
 
 class TestNextElement:
-    def test_the_next_element_is_announced_and_then_chosen(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_the_next_element_is_announced_and_then_chosen(self, on_pitch, clicks):
         document = on_pitch.document
         document.selecting.select_class("Big rect. left main")
         clicks.click(300, 300)
         announced = on_pitch.canvas.editor.upcoming
         assert announced is not None
         element = document.state.field.element(announced)
-        assert element is not None
         assert element.title in on_pitch.canvas.hint
         clicks.key(Qt.Key.Key_Return)
         assert document.state.selected_class == announced
 
-    def test_shift_enter_and_the_option_refuse_it(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_shift_enter_and_the_option_refuse_it(self, on_pitch, clicks):
         document = on_pitch.document
         document.selecting.select_class("Big rect. left main")
         clicks.click(300, 300)
@@ -219,9 +193,7 @@ class TestNextElement:
         clicks.key(Qt.Key.Key_Return)
         assert document.state.selected_class == "Big rect. left main"
 
-    def test_two_clicks_finish_a_straight_element_on_request(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_two_clicks_finish_a_straight_element_on_request(self, on_pitch, clicks):
         on_pitch.actions_["two_clicks"].trigger()
         on_pitch.document.selecting.select_class(MIDDLE)
         clicks.click(300, 300)
@@ -233,9 +205,7 @@ class TestNextElement:
 class TestLeaving:
     """A frame is left, or the program dies, while something is drawn."""
 
-    def test_a_single_click_waits_and_is_no_element(
-        self, on_pitch: MainWindow, clicks: Hand, pitch: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_single_click_waits_and_is_no_element(self, on_pitch, clicks, pitch, qtbot):
         document = on_pitch.document
         document.selecting.select_class(MIDDLE)
         clicks.click(480, 130)
@@ -254,20 +224,16 @@ class TestLeaving:
         assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
 
     @pytest.mark.new_window
-    def test_clicks_under_way_outlive_the_program(
-        self, on_pitch: MainWindow, clicks: Hand, pitch: Path, make_window: MakeWindow
-    ) -> None:
+    def test_clicks_under_way_outlive_the_program(self, on_pitch, clicks, pitch, make_window):
         document = on_pitch.document
         document.selecting.select_class(MIDDLE)
         clicks.click(480, 130)
         clicks.click(480, 530)
-        assert document.review.database is not None
         assert document.review.database.flush()
         left = pitch.with_name("left")  # as it lies there while the hand is still at it
         shutil.copytree(pitch, left, ignore=shutil.ignore_patterns("locks"))
         later = make_window(left).document
         waiting = later.state.annotation.get_unconfirmed(MIDDLE)
-        assert waiting is not None
         assert len(waiting.points) == 2
         on_pitch.canvas.key("Enter")
         assert document.review.database.flush()
@@ -275,9 +241,7 @@ class TestLeaving:
 
 
 class TestRegularise:
-    def test_two_clicks_become_a_line_of_points_on_the_line(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_two_clicks_become_a_line_of_points_on_the_line(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (482, 130), (478, 530))
         on_pitch.document.selecting.select_class(MIDDLE)
         with qtbot.waitSignal(on_pitch.document.store.events.annotationEdited):
@@ -290,9 +254,7 @@ class TestRegularise:
         clicks.key(Qt.Key.Key_Z, CTRL)
         assert len(px(on_pitch, MIDDLE)) == 2
 
-    def test_the_whole_frame_is_one_step_of_undo(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_the_whole_frame_is_one_step_of_undo(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (482, 130), (478, 530))
         clicks.draw(TOP, (5, 121), (955, 119))
         before = on_pitch.document.state.annotation
@@ -303,9 +265,7 @@ class TestRegularise:
         on_pitch.document.editing.undo()
         assert on_pitch.document.state.annotation == before
 
-    def test_r_reaches_what_was_just_drawn(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_r_reaches_what_was_just_drawn(self, on_pitch, clicks, qtbot):
         """Finished, with the next element chosen already; and not finished yet."""
         for finish in (True, False):
             on_pitch.document.selecting.select_class(MIDDLE)
@@ -324,9 +284,7 @@ class TestRegularise:
                 clicks.key(Qt.Key.Key_Z, CTRL)
 
     @pytest.mark.parametrize("key", [(Qt.Key.Key_Z, CTRL), (Qt.Key.Key_Escape,)])
-    def test_taken_back_before_it_is_there_nothing_else_is(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, key: tuple[Any, ...]
-    ) -> None:
+    def test_taken_back_before_it_is_there_nothing_else_is(self, on_pitch, clicks, qtbot, key):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         clicks.draw(TOP, (5, 118), (955, 122))
         before = on_pitch.document.state.annotation
@@ -339,8 +297,8 @@ class TestRegularise:
         assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
 
     def test_a_frame_that_is_left_is_not_regularised_and_that_is_said(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+        self, on_pitch, clicks, qtbot
+    ):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         before, said = on_pitch.document.state.annotation, []
         on_pitch.document.store.events.message.connect(lambda m: said.append(m.text))
@@ -351,7 +309,7 @@ class TestRegularise:
         all_done(qtbot)
         assert on_pitch.document.state.annotation == before
 
-    def test_what_is_regular_stays(self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
+    def test_what_is_regular_stays(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         said = on_pitch.document.store.events.message
         with qtbot.waitSignal(said, check_params_cb=lambda m: "regularised" in m.text):
@@ -361,9 +319,7 @@ class TestRegularise:
             clicks.key(Qt.Key.Key_R)
         assert np.array_equal(px(on_pitch, MIDDLE), once)
 
-    def test_what_was_thinned_out_is_regularised_again(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_what_was_thinned_out_is_regularised_again(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         document = on_pitch.document
         for _ in range(2):
@@ -372,7 +328,6 @@ class TestRegularise:
             ):
                 clicks.key(Qt.Key.Key_R)
             line = document.state.annotation.get(MIDDLE)
-            assert line is not None
             assert len(line.points) > 3
             thin = Polyline(MIDDLE, (line.points[0], line.points[-1]))
             document.editing.edit(
@@ -380,13 +335,8 @@ class TestRegularise:
             )
 
     def test_on_a_real_frame_it_is_done_once_and_lies_on_the_paint(
-        self,
-        make_window: MakeWindow,
-        hand_on: Callable[[MainWindow], Hand],
-        qtbot: QtBot,
-        shared_data: Path,
-        tmp_path: Path,
-    ) -> None:
+        self, make_window, hand_on, qtbot, shared_data, tmp_path
+    ):
         frame = next(frame for frame in truth_frames() if frame.clip == "bra_mex")
         shutil.copy(shared_data / "frames" / "bra_mex.jpg", tmp_path)
         rng = np.random.default_rng(4)
@@ -411,9 +361,7 @@ class TestRegularise:
             away = bar.away(points_px(once.get(bar.name), frame.size))
             assert np.nanmax(away) < 0.7
 
-    def test_a_click_without_paint_stays_and_is_told(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_a_click_without_paint_stays_and_is_told(self, on_pitch, clicks, qtbot):
         aside = (UPRIGHT + 30, 330)
         clicks.draw(MIDDLE, (482, 130), (481, 230), aside, (479, 430), (478, 530))
         with qtbot.waitSignal(
@@ -435,8 +383,8 @@ class TestCopying:
             clicks.key(Qt.Key.Key_V)
 
     def test_copies_move_with_the_camera_and_count_for_nothing(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, pitch: Path
-    ) -> None:
+        self, on_pitch, clicks, qtbot, pitch
+    ):
         self.copy(on_pitch, clicks, qtbot)
         document = on_pitch.document
         assert document.state.annotation.annotated == ()
@@ -447,8 +395,8 @@ class TestCopying:
         assert not (pitch / "1.json").exists()
 
     def test_shift_v_confirms_all_and_they_are_saved_as_copied(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, pitch: Path
-    ) -> None:
+        self, on_pitch, clicks, qtbot, pitch
+    ):
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_V, SHIFT)
         assert set(on_pitch.document.state.annotation.annotated) == {MIDDLE, TOP}
@@ -458,8 +406,8 @@ class TestCopying:
     @pytest.mark.parametrize("goes_on", [True, False])
     @pytest.mark.parametrize("done", ["finished", "seen again", "copied", "confirmed", "all"])
     def test_a_stray_click_goes_into_no_element_that_is_done(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, done: str, goes_on: bool
-    ) -> None:
+        self, on_pitch, clicks, qtbot, done, goes_on
+    ):
         document = on_pitch.document
         document.selecting.set_option("auto_advance", goes_on)
         if done in ("finished", "seen again"):
@@ -481,9 +429,7 @@ class TestCopying:
             assert document.state.annotation.get(name) == before.get(name)
             assert document.state.annotation.get_unconfirmed(name) == before.get_unconfirmed(name)
 
-    def test_dragging_a_copy_confirms_it_alone(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_dragging_a_copy_confirms_it_alone(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
         waiting = on_pitch.document.state.annotation.get_unconfirmed(MIDDLE)
@@ -493,17 +439,13 @@ class TestCopying:
         assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
         assert on_pitch.document.state.annotation.get_unconfirmed(TOP) is not None
 
-    def test_clicking_on_goes_on_from_the_copy(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_clicking_on_goes_on_from_the_copy(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         clicks.draw(MIDDLE, (384, 535))
         assert len(px(on_pitch, MIDDLE)) == 3
         assert kinds(on_pitch)[OriginKind.COPIED] == 2
 
-    def test_enter_confirms_one_after_the_other(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_enter_confirms_one_after_the_other(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         assert on_pitch.document.state.selected_class == MIDDLE  # chosen by itself
         clicks.key(Qt.Key.Key_Return)
@@ -516,18 +458,14 @@ class TestCopying:
         clicks.key(Qt.Key.Key_Return)
         assert set(on_pitch.document.state.annotation.annotated) == {MIDDLE, TOP}
 
-    def test_shift_delete_drops_them_and_undo_brings_them_back(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_shift_delete_drops_them_and_undo_brings_them_back(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_Delete, SHIFT)
         assert on_pitch.document.state.annotation.unconfirmed == ()
         clicks.key(Qt.Key.Key_Z, CTRL)
         assert len(on_pitch.document.state.annotation.unconfirmed) == 2
 
-    def test_reversing_a_copy_confirms_it(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_reversing_a_copy_confirms_it(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         waiting = on_pitch.document.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
@@ -535,21 +473,16 @@ class TestCopying:
         clicks.key(Qt.Key.Key_R, CTRL)
         assert px(on_pitch, MIDDLE) == pytest.approx(points_px(waiting, SIZE)[::-1], abs=1e-9)
 
-    def test_copies_wait_across_a_restart(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, make_window: MakeWindow, pitch: Path
-    ) -> None:
+    def test_copies_wait_across_a_restart(self, on_pitch, clicks, qtbot, make_window, pitch):
         self.copy(on_pitch, clicks, qtbot)
         on_pitch.close()
         again = make_window(pitch)
-        assert again.document.state.frame is not None
         assert again.document.state.frame.name == "1"  # and the window opens where one left
         assert again.document.state.annotation.get_unconfirmed(MIDDLE) is not None
 
 
 class TestUndoInTheMiddle:
-    def test_undo_during_a_drag_puts_the_point_back_and_nothing_else(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_undo_during_a_drag_puts_the_point_back_and_nothing_else(self, on_pitch, clicks):
         before = clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.draw(TOP, (300, 200), (400, 200))
         on_pitch.document.selecting.set_mode("edit")
@@ -562,9 +495,7 @@ class TestUndoInTheMiddle:
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
         assert on_pitch.document.state.annotation.annotated == (MIDDLE, TOP)
 
-    def test_a_point_inserted_and_taken_back_leaves_no_other_point_chosen(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_a_point_inserted_and_taken_back_leaves_no_other_point_chosen(self, on_pitch, clicks):
         before = clicks.draw(MIDDLE, (300, 300), (400, 300), (500, 300))
         on_pitch.document.selecting.set_mode("edit")
         viewport = on_pitch.canvas.viewport()
@@ -581,9 +512,7 @@ class TestUndoInTheMiddle:
 
 
 class TestHints:
-    def test_what_was_under_the_cursor_is_forgotten_with_its_frame(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_what_was_under_the_cursor_is_forgotten_with_its_frame(self, on_pitch, clicks, qtbot):
         told = on_pitch.status.hint.text
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
@@ -592,9 +521,7 @@ class TestHints:
         clicks.key(Qt.Key.Key_D)
         qtbot.waitUntil(lambda: "Halfway line" not in told())
 
-    def test_the_next_click_is_told_beside_a_message_too(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_the_next_click_is_told_beside_a_message_too(self, on_pitch, clicks, qtbot):
         told = on_pitch.status.hint.text
         on_pitch.document.selecting.set_option("draw_first", False)
         clicks.click(300, 300)  # no element is chosen: a message says so
@@ -603,9 +530,7 @@ class TestHints:
         qtbot.waitUntil(lambda: "DRAW Halfway line, 1 point" in told())
         assert "choose an element first" in told()
 
-    def test_several_points_and_copies_are_named_for_what_they_are(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_several_points_and_copies_are_named_for_what_they_are(self, on_pitch, clicks, qtbot):
         TestCopying().copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
         clicks.move(700, 500)
@@ -617,9 +542,7 @@ class TestHints:
 
 
 class TestSeveralPoints:
-    def test_a_band_chooses_points_that_move_and_go_together(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_a_band_chooses_points_that_move_and_go_together(self, on_pitch, clicks):
         before = clicks.draw(MIDDLE, (300, 300), (340, 320), (600, 420))
         clicks.key(Qt.Key.Key_W)
         clicks.drag((270, 270), (380, 350))
@@ -632,7 +555,7 @@ class TestSeveralPoints:
         clicks.key(Qt.Key.Key_Delete)
         assert px(on_pitch, MIDDLE) == pytest.approx(before[2:], abs=1e-6)
 
-    def test_shift_click_adds_and_takes_away(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_shift_click_adds_and_takes_away(self, on_pitch, clicks):
         clicks.draw(MIDDLE, (300, 300), (400, 300), (500, 300))
         clicks.key(Qt.Key.Key_W)
         clicks.click(300, 300)
@@ -642,9 +565,7 @@ class TestSeveralPoints:
         assert on_pitch.document.state.selection.point == (MIDDLE, 0)
         assert not on_pitch.document.state.selection.points
 
-    def test_a_click_on_one_of_several_means_that_one(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_a_click_on_one_of_several_means_that_one(self, on_pitch, clicks):
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
         clicks.key(Qt.Key.Key_A, CTRL)
@@ -655,9 +576,7 @@ class TestSeveralPoints:
 
 
 class TestWholeElements:
-    def test_elements_are_pinned_and_the_first_refusal_explains(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_elements_are_pinned_and_the_first_refusal_explains(self, on_pitch, clicks):
         before = clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
         clicks.drag((350, 300), (350, 340))
@@ -668,7 +587,7 @@ class TestWholeElements:
         clicks.drag((350, 300), (350, 340))
         assert px(on_pitch, MIDDLE) == pytest.approx(before + np.array([0, 40]), abs=1.5)
 
-    def test_the_menu_changes_and_swaps_classes(self, on_pitch: MainWindow, clicks: Hand) -> None:
+    def test_the_menu_changes_and_swaps_classes(self, on_pitch, clicks):
         first = clicks.draw(MIDDLE, (300, 300), (400, 300))
         second = clicks.draw(TOP, (300, 350), (400, 350))
         on_pitch.document.selecting.select_class(MIDDLE)
@@ -679,9 +598,7 @@ class TestWholeElements:
         on_pitch.document.editing.undo()
         assert px(on_pitch, MIDDLE) == pytest.approx(first, abs=1e-9)
 
-    def test_the_menu_splits_at_a_point_and_merges_again(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_the_menu_splits_at_a_point_and_merges_again(self, on_pitch, clicks):
         clicks.draw(MIDDLE, (300, 300), (400, 300), (400, 400))
         clicks.key(Qt.Key.Key_W)
         clicks.click(400, 300)
@@ -692,9 +609,7 @@ class TestWholeElements:
         choose(on_pitch, "Merge into", MIDDLE)
         assert len(px(on_pitch, MIDDLE)) == 3
 
-    def test_a_right_click_selects_what_is_under_it(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
-    ) -> None:
+    def test_a_right_click_selects_what_is_under_it(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
         on_pitch.document.selecting.select_class(None)
@@ -715,9 +630,7 @@ class TestWholeElements:
         )
         assert on_pitch.actions_["copy_previous"] in menu.actions()
 
-    def test_a_duplicate_waits_under_the_symmetric_class(
-        self, on_pitch: MainWindow, clicks: Hand
-    ) -> None:
+    def test_a_duplicate_waits_under_the_symmetric_class(self, on_pitch, clicks):
         clicks.draw("Big rect. left top", (300, 300), (400, 300))
         on_pitch.document.selecting.select_class("Big rect. left top")
         clicks.key(Qt.Key.Key_D, CTRL)
@@ -726,9 +639,7 @@ class TestWholeElements:
         clicks.drag((350, 300), (350, 360))  # unconfirmed elements are not pinned
         assert px(on_pitch, "Big rect. right bottom")[:, 1] == pytest.approx(360, abs=1.5)
 
-    def test_of_several_symmetric_classes_the_free_one_is_offered(
-        self, on_pitch: MainWindow, clicks: Hand, tmp_path: Path
-    ) -> None:
+    def test_of_several_symmetric_classes_the_free_one_is_offered(self, on_pitch, clicks, tmp_path):
         path = tmp_path / "square.toml"
         path.write_text(_square())
         document = on_pitch.document
@@ -781,7 +692,6 @@ def choose(window: MainWindow, title: str, class_name: str) -> None:
     """Choose a class in a submenu of the menu at the cursor."""
     menu = canvas_menu(window, window.document, window.actions_, window.element_edits)
     submenu = next(a.menu() for a in menu.actions() if a.text() == title)
-    assert isinstance(submenu, QMenu)
     for action in (a for m in (submenu, *submenu.findChildren(QMenu)) for a in m.actions()):
         if action.data() == class_name and action.isEnabled():
             action.trigger()

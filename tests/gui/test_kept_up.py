@@ -1,16 +1,12 @@
 """What a window says keeps up with what it says it of."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
@@ -19,12 +15,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.commands.review.versions_command import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import AUTHOR
-from tests.gui.conftest import settle, until_kept
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, settle, until_kept
 
 HandOn = Callable[[MainWindow], "Hand"]
 MIDDLE = "Middle line"
@@ -32,7 +23,7 @@ ENDS = (100, 100), (200, 200)
 
 
 @pytest.fixture
-def second_annotator(annotated: Path, tmp_path: Path) -> Path:
+def second_annotator(annotated, tmp_path) -> Path:
     """Somebody who clicked the very same."""
     other = tmp_path / "other"
     other.mkdir()
@@ -41,9 +32,7 @@ def second_annotator(annotated: Path, tmp_path: Path) -> Path:
     return other
 
 
-def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(
-    audited: MainWindow,
-) -> None:
+def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(audited):
     document = audited.document
     judged, other = document.state.sources[:2]
     assert document.state.active is judged
@@ -55,7 +44,7 @@ def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(
     assert named == [other.name]
 
 
-def test_who_is_editing_is_another_one_than_before(window: MainWindow, dataset: Path) -> None:
+def test_who_is_editing_is_another_one_than_before(window, dataset):
     document, folder = window.document, locks_folder(dataset)
     ann, bob = (
         FrameLocks(folder, "Ann"),
@@ -71,9 +60,7 @@ def test_who_is_editing_is_another_one_than_before(window: MainWindow, dataset: 
     bob.release("frame_0")
 
 
-def test_others_see_the_name_that_was_entered_last(
-    window: MainWindow, hand: Hand, dataset: Path
-) -> None:
+def test_others_see_the_name_that_was_entered_last(window, hand, dataset):
     window.options.change(AUTHOR, "Grace")
     hand.draw(MIDDLE, *ENDS)
     (lock,) = locks_folder(dataset).glob("*.lock")
@@ -84,8 +71,8 @@ def test_others_see_the_name_that_was_entered_last(
 
 
 def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
-    window: MainWindow, hand: Hand, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    window, hand, qtbot, monkeypatch
+):
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
@@ -101,9 +88,7 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
 
 
 class TestBlind:
-    def test_distances_to_a_second_annotator_are_hidden(
-        self, audited: MainWindow, second_annotator: Path, qtbot: QtBot
-    ) -> None:
+    def test_distances_to_a_second_annotator_are_hidden(self, audited, second_annotator, qtbot):
         panel, document = audited.agreement, audited.document
         panel.open(second_annotator)
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
@@ -114,8 +99,8 @@ class TestBlind:
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
 
     def test_a_camera_that_cannot_be_read_is_told_of_once_the_frame_is_committed(
-        self, audited: MainWindow, qtbot: QtBot
-    ) -> None:
+        self, audited, qtbot
+    ):
         document, model = audited.document, audited.frames.model
         name = document.state.frame.name
         document.state.active.problems[name] = "cannot be read"
@@ -126,9 +111,7 @@ class TestBlind:
         qtbot.waitUntil(lambda: model.shown == 0)
 
 
-def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(
-    window: MainWindow, qtbot: QtBot
-) -> None:
+def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(window, qtbot):
     window.commands.show_keys()
     sheet = window.commands._sheet
 
@@ -143,7 +126,7 @@ def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(
 
 class TestDamage:
     @pytest.fixture
-    def damaged(self, window: MainWindow, hand: Hand, dataset: Path) -> MainWindow:
+    def damaged(self, window, hand, dataset) -> MainWindow:
         hand.draw(MIDDLE, *ENDS)
         until_kept()
         (dataset / "frame_0.json").write_text('{"Middle line": [{')
@@ -151,13 +134,13 @@ class TestDamage:
         assert window.document.state.damage
         return window
 
-    def test_nobody_is_done_with_a_frame_that_cannot_be_read(self, damaged: MainWindow) -> None:
+    def test_nobody_is_done_with_a_frame_that_cannot_be_read(self, damaged):
         damaged.document.editing.commit_frame()
         assert damaged.document.review.status("frame_0") is not Status.DONE
 
     def test_an_earlier_version_takes_the_place_of_a_file_that_cannot_be_read(
-        self, damaged: MainWindow, dataset: Path, qtbot: QtBot
-    ) -> None:
+        self, damaged, dataset, qtbot
+    ):
         document = damaged.document
         database = document.review.database
         version = database.versions("frame_0")[-1].id
@@ -169,9 +152,7 @@ class TestDamage:
         assert b'{"Middle line": [{' in kept
         settle(damaged, qtbot)
 
-    def test_keys_that_need_the_picture_say_why_they_do_nothing(
-        self, make_window: Callable[..., MainWindow], annotated: Path
-    ) -> None:
+    def test_keys_that_need_the_picture_say_why_they_do_nothing(self, make_window, annotated):
         first = sorted(annotated.glob("*.jpg"))[0]
         first.write_bytes(b"no picture")
         window = make_window(annotated)
@@ -185,8 +166,8 @@ class TestDamage:
 
 
 def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(
-    window: MainWindow, striped: list[bytes], tmp_path: Path
-) -> None:
+    window, striped, tmp_path
+):
     inner = tmp_path / "match" / "images"
     inner.mkdir(parents=True)
     (inner / "a.png").write_bytes(striped[0])
@@ -196,9 +177,7 @@ def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(
 
 
 class TestWhatWasLeft:
-    def test_a_comment_that_is_half_typed_stays_with_its_frame(
-        self, window: MainWindow, annotated: Path
-    ) -> None:
+    def test_a_comment_that_is_half_typed_stays_with_its_frame(self, window, annotated):
         box, document = window.review.text, window.document
         box.setText("the post is")
         document.walk.go_to(1)
@@ -208,9 +187,7 @@ class TestWhatWasLeft:
         document.opening.open_path(annotated)
         assert box.text() == ""
 
-    def test_approved_in_the_panel_stays_when_a_line_was_under_way(
-        self, window: MainWindow, hand: Hand
-    ) -> None:
+    def test_approved_in_the_panel_stays_when_a_line_was_under_way(self, window, hand):
         window.document.selecting.select_class(MIDDLE)
         hand.click(100, 100)
         box = window.review.status
@@ -219,9 +196,7 @@ class TestWhatWasLeft:
         window.document.walk.go_to(1)
         assert window.document.review.status("frame_0") is Status.APPROVED
 
-    def test_a_frame_left_before_its_fit_came_keeps_no_fit_of_other_clicks(
-        self, begun: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_frame_left_before_its_fit_came_keeps_no_fit_of_other_clicks(self, begun, qtbot):
         document = begun.document
         name, fits = document.state.frame.name, document.fit_source
         qtbot.waitUntil(lambda: name in fits.cameras.fits)
@@ -231,9 +206,7 @@ class TestWhatWasLeft:
         assert name not in fits.cameras.fits
         settle(begun, qtbot)
 
-    def test_the_noise_of_two_annotators_follows_the_clicks(
-        self, audited: MainWindow, second_annotator: Path, qtbot: QtBot
-    ) -> None:
+    def test_the_noise_of_two_annotators_follows_the_clicks(self, audited, second_annotator, qtbot):
         panel, document = audited.agreement, audited.document
         panel.open(second_annotator)
         qtbot.waitUntil(lambda: "median 0.00 px" in panel.noise.text())
@@ -248,9 +221,7 @@ class TestWhatWasLeft:
         settle(audited, qtbot)
 
 
-def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(
-    begun: MainWindow, qtbot: QtBot
-) -> None:
+def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(begun, qtbot):
     document = begun.document
     for name in document.state.annotation.annotated[:2]:
         document.selecting.select_class(name)
@@ -264,7 +235,7 @@ def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(
 
 
 class TestPaintedWidth:
-    def test_it_is_drawn_in_the_next_frame_too(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def test_it_is_drawn_in_the_next_frame_too(self, audited, qtbot):
         document = audited.document
         document.painted_width.set_enabled(True)
         qtbot.waitUntil(lambda: document.painted_width.value is not None)

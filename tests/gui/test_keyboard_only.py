@@ -1,7 +1,5 @@
 """A frame is annotated, and every part of the window reached, without a mouse."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
@@ -9,12 +7,8 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
 
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.regions import Regions
-from tests.gui.conftest import Hand, ReadPoints
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand
 
 KEY = Qt.Key
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -36,9 +30,7 @@ def go(hand: Hand, x: float, y: float) -> None:
             hand.key(more if gap > 0 else less, SHIFT)
 
 
-def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(window, hand, saved):
     window.document.selecting.select_class("Middle line")
     for x, y in ((320, 40), (330, 250)):
         go(hand, x, y)
@@ -58,9 +50,7 @@ def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(
     assert len(saved()) == 1
 
 
-def test_a_point_is_put_on_a_line_by_keys_alone(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_a_point_is_put_on_a_line_by_keys_alone(window, hand, saved):
     window.document.selecting.select_class("Middle line")
     for x, y in ((320, 40), (320, 250)):
         go(hand, x, y)
@@ -80,9 +70,7 @@ def test_a_point_is_put_on_a_line_by_keys_alone(
     assert "no line here" in window.status.hint.text()
 
 
-def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(
-    window: MainWindow, hand: Hand
-) -> None:
+def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(window, hand):
     document, keys = window.document, window.canvas.keys
     QApplication.sendEvent(window.canvas, QEvent(QEvent.Type.Leave))  # of tests before
     document.selecting.select_class("Middle line")
@@ -104,20 +92,17 @@ def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(
     assert not keys.active
 
 
-def test_the_view_follows_the_crosshair_and_the_picture_ends_it(
-    window: MainWindow, hand: Hand
-) -> None:
+def test_the_view_follows_the_crosshair_and_the_picture_ends_it(window, hand):
     canvas = window.canvas
     canvas.fly_to(320, 180)
     for _ in range(8):
         hand.key(KEY.Key_Right, CTRL | SHIFT)
     px = canvas.keys.crosshair.px
-    assert px is not None
     assert px[0] == 639
     assert canvas.viewport().rect().contains(canvas.to_view(*px).toPoint())
 
 
-def test_space_still_pans(window: MainWindow, hand: Hand) -> None:
+def test_space_still_pans(window, hand):
     window.document.selecting.select_class("Middle line")
     hand.key(KEY.Key_Right)
     canvas = window.canvas
@@ -127,7 +112,7 @@ def test_space_still_pans(window: MainWindow, hand: Hand) -> None:
     assert not canvas.editor.drawing
 
 
-def test_the_keyboard_goes_round_all_parts(window: MainWindow, hand: Hand) -> None:
+def test_the_keyboard_goes_round_all_parts(window, hand):
     regions = Regions(window).all()
     seen = []
     for _ in regions:
@@ -143,7 +128,7 @@ def test_the_keyboard_goes_round_all_parts(window: MainWindow, hand: Hand) -> No
     assert seen[-2].isAncestorOf(QApplication.focusWidget())
 
 
-def test_a_ring_shows_what_has_the_keyboard(window: MainWindow, hand: Hand) -> None:
+def test_a_ring_shows_what_has_the_keyboard(window, hand):
     ring = window.focus_ring
     window.regions.all()  # which lets the keyboard reach the bars
     buttons = [b for bar in window.findChildren(QToolBar) for b in bar.findChildren(QToolButton)]
@@ -159,7 +144,7 @@ def test_a_ring_shows_what_has_the_keyboard(window: MainWindow, hand: Hand) -> N
     assert not ring.shown
 
 
-def test_elements_are_chosen_on_the_field_map_by_the_arrows(window: MainWindow, hand: Hand) -> None:
+def test_elements_are_chosen_on_the_field_map_by_the_arrows(window, hand):
     panel, document = window.field_map, window.document
     panel.setFocus(Qt.FocusReason.TabFocusReason)
     document.selecting.select_class("Middle line")

@@ -1,16 +1,12 @@
 """Keys of one's own: what they call, clashes by name, other programs' keys, files."""
 
-from __future__ import annotations
-
 import json
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QTreeWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
@@ -19,14 +15,10 @@ from procc_annotator.gui.keymap import PRESETS, USUAL, Keymap, clashes, from_val
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import KEYS, Settings
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
-from tests.gui.conftest import Hand, MakeWindow
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 
 @pytest.fixture
-def dialog(window: MainWindow) -> KeymapDialog:
+def dialog(window) -> KeymapDialog:
     made = KeymapDialog(window.document.state.field, window.document.state.keymap, window)
     made.show()
     return made
@@ -58,18 +50,18 @@ def use(window: MainWindow, monkeypatch: pytest.MonkeyPatch, keymap: Keymap) -> 
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_the_keys_of_other_programs_clash_with_nothing(name: str) -> None:
+def test_the_keys_of_other_programs_clash_with_nothing(name):
     assert not clashes(PRESETS[name])
     known = {spec.name for spec in ACTIONS}
     assert set(PRESETS[name].actions) <= known
     assert from_values(to_values(PRESETS[name])).actions == PRESETS[name].actions
 
 
-def test_the_shipped_keys_of_soccer_clash_with_nothing() -> None:
+def test_the_shipped_keys_of_soccer_clash_with_nothing():
     assert not clashes(USUAL, load_field("soccer").elements)
 
 
-def test_another_key_is_given_and_its_clash_is_named(dialog: KeymapDialog) -> None:
+def test_another_key_is_given_and_its_clash_is_named(dialog):
     choose(dialog, "regularise all")
     assert shown(dialog) == "Shift+R"
     press(dialog, "A")
@@ -88,7 +80,7 @@ def test_another_key_is_given_and_its_clash_is_named(dialog: KeymapDialog) -> No
     assert dialog.presets.currentText() == "Usual"
 
 
-def test_keys_are_added_and_taken_away(dialog: KeymapDialog) -> None:
+def test_keys_are_added_and_taken_away(dialog):
     choose(dialog, "undo take back")  # its tip is no part of what is searched
     assert dialog.table.model().rowCount() == 0
     choose(dialog, "edit undo")
@@ -100,9 +92,7 @@ def test_keys_are_added_and_taken_away(dialog: KeymapDialog) -> None:
     assert dialog.keymap.actions["undo"] == ()
 
 
-def test_other_keys_work_at_once_and_are_remembered(
-    window: MainWindow, hand: Hand, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_other_keys_work_at_once_and_are_remembered(window, hand, qtbot, monkeypatch):
     own = Keymap({"next_frame": ("F2",)}, {"Middle line": "F"})
     use(window, monkeypatch, own.with_action(_spec("fit"), ("Ctrl+0",)))
     hand.key(Qt.Key.Key_D)
@@ -121,7 +111,7 @@ def test_other_keys_work_at_once_and_are_remembered(
 
 
 @pytest.mark.new_window
-def test_the_next_run_begins_with_them(make_window: MakeWindow, dataset: Path) -> None:
+def test_the_next_run_begins_with_them(make_window, dataset):
     Settings().set(KEYS, PRESETS["Like CVAT"])
     window = make_window(dataset)
     QTest.keyClick(window.canvas, Qt.Key.Key_F)
@@ -130,9 +120,7 @@ def test_the_next_run_begins_with_them(make_window: MakeWindow, dataset: Path) -
     assert window.document.state.frame_index == 0
 
 
-def test_keys_go_to_a_file_and_come_back(
-    dialog: KeymapDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_keys_go_to_a_file_and_come_back(dialog, tmp_path, monkeypatch):
     path = tmp_path / "keys.json"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
@@ -154,7 +142,7 @@ def test_keys_go_to_a_file_and_come_back(
     "text",
     ["[]", '{"actions": []}', '{"actions": {"undo": "Z"}}', '{"elements": {"Circle left": 3}}'],
 )
-def test_what_is_no_keymap_is_refused(text: str) -> None:
+def test_what_is_no_keymap_is_refused(text):
     with pytest.raises(UsageError):
         from_values(json.loads(text))
 
@@ -162,7 +150,6 @@ def test_what_is_no_keymap_is_refused(text: str) -> None:
 def _keys_of(window: MainWindow, title: str) -> list[str]:
     """The column of keys in the elements panel."""
     tree = window.findChild(QTreeWidget, "elements_tree")
-    assert tree is not None
     found = tree.findItems(title, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchRecursive)
     return [item.text(1) for item in found]
 

@@ -1,9 +1,5 @@
 """The keyboard after something beside the picture was used."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -17,11 +13,9 @@ from PySide6.QtWidgets import (
     QToolTip,
     QWidget,
 )
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.canvas.held_keys import typed_into
-from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import Hand
 
 LEFT = Qt.MouseButton.LeftButton
@@ -36,7 +30,7 @@ def press(*keys: Qt.Key | str) -> None:
 
 
 @pytest.mark.new_window
-def test_the_first_key_in_a_new_window_is_for_the_picture(dataset: Path, qtbot: QtBot) -> None:
+def test_the_first_key_in_a_new_window_is_for_the_picture(dataset, qtbot):
     window = build_window(dataset)
     qtbot.addWidget(window)
     with qtbot.waitActive(window):
@@ -48,9 +42,7 @@ def test_the_first_key_in_a_new_window_is_for_the_picture(dataset: Path, qtbot: 
 
 
 @pytest.mark.parametrize(("end", "tau"), [(Qt.Key.Key_Return, 7.0), (Qt.Key.Key_Escape, 5.0)])
-def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(
-    window: MainWindow, end: Qt.Key, tau: float
-) -> None:
+def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(window, end, tau):
     box = window.findChild(QDoubleSpinBox, "tauSpin")
     box.setFocus()
     box.selectAll()
@@ -61,9 +53,7 @@ def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(
     assert window.document.state.frame_index == 1
 
 
-def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(window, monkeypatch):
     told: list[str] = []
     monkeypatch.setattr(QToolTip, "showText", lambda _, text, *__: told.append(text))
     box = window.findChild(QDoubleSpinBox, "tauSpin")
@@ -76,7 +66,7 @@ def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(
         assert told == [f"not {typed}: 0.5 to 30 px"]
 
 
-def test_a_list_is_left_by_escape_and_walked_by_arrows(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_list_is_left_by_escape_and_walked_by_arrows(window, qtbot):
     window.panels.show("fit")
     models = window.findChild(QComboBox, "fit_model")
     qtbot.waitUntil(models.isVisible)
@@ -88,7 +78,7 @@ def test_a_list_is_left_by_escape_and_walked_by_arrows(window: MainWindow, qtbot
     assert window.canvas.hasFocus()
 
 
-def test_a_name_under_way_is_put_back_by_escape(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_name_under_way_is_put_back_by_escape(window, qtbot):
     window.panels.show("landmarks")
     line = window.findChild(QLineEdit, "landmarkName")
     qtbot.waitUntil(line.isVisible)
@@ -98,8 +88,7 @@ def test_a_name_under_way_is_put_back_by_escape(window: MainWindow, qtbot: QtBot
     assert window.canvas.hasFocus()
 
 
-@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-def test_a_click_beside_the_picture_leaves_it_the_keys(audited: MainWindow, qtbot: QtBot) -> None:
+def test_a_click_beside_the_picture_leaves_it_the_keys(audited, qtbot):
     """Whatever is pressed in a panel and let go elsewhere: what is no text takes no key."""
     pressed = set()
     for name, dock in audited.docks.items():
@@ -128,7 +117,7 @@ class TestWhileDrawing:
     """Two points of a line are clicked, then a box in a panel."""
 
     @pytest.fixture
-    def box(self, audited: MainWindow, qtbot: QtBot) -> QWidget:
+    def box(self, audited, qtbot) -> QWidget:
         audited.panels.show("cameras")
         audited.document.walk.go_to(4)
         box = audited.findChild(QCheckBox, "cameras_action_split")
@@ -151,9 +140,7 @@ class TestWhileDrawing:
             (Qt.Key.Key_Escape, 0, False),
         ],
     )
-    def test_its_keys_still_mean_the_line(
-        self, audited: MainWindow, box: QWidget, key: Qt.Key, points: int, drawing: bool
-    ) -> None:
+    def test_its_keys_still_mean_the_line(self, audited, box, key, points, drawing):
         press(key)
         line = audited.document.state.annotation.get("Middle line")
         assert len(line.points if line is not None else ()) == points

@@ -1,7 +1,5 @@
 """The label check in the window: signs, the list, the walk, remedies by key, blind mode, export."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -36,7 +34,6 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
 from procc_annotator.gui.window.context_menu import canvas_menu
-from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
 EMPTY = "00001"
@@ -47,7 +44,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def annotated(annotated: Path) -> Path:
+def annotated(annotated) -> Path:
     """Two annotated frames of the sample, and one that is not."""
     for path in annotated.glob("0*.*"):
         if path.stem not in ("00002", "00003", EMPTY):
@@ -57,10 +54,10 @@ def annotated(annotated: Path) -> Path:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+def window(make_window, annotated, qtbot) -> MainWindow:
     """The window on the sample, at a frame with a dozen right labels."""
     window = make_window(annotated)
-    window.document.walk.go_to(window.document.state.workspace.index["00002"])  # type: ignore[union-attr]
+    window.document.walk.go_to(window.document.state.workspace.index["00002"])
     wholly_checked(window, qtbot)
     return window
 
@@ -102,7 +99,6 @@ def put(window: MainWindow, *findings: Finding) -> None:
     document = window.document
     size, frame = document.state.picture_size, document.state.frame
     assert size is not None
-    assert frame is not None
     fit = FitResult("R", size, None)
     document.label_check._take(frame.name, store_check(document.state.annotation, findings, fit))
     QApplication.processEvents()  # what is drawn together waits for the end of the turn
@@ -114,7 +110,6 @@ LOOK = Remedy(RemedyKind.LOOK, "look at it")
 def shifted(annotation: FrameAnnotation, name: str) -> FrameAnnotation:
     """All points of a class a little farther to the right."""
     polyline = annotation.get(name)
-    assert polyline is not None
     every = [(name, i) for i in range(len(polyline.points))]
     return editing.move_points(annotation, every, 0.001, 0.0)
 
@@ -126,7 +121,7 @@ def about(name: str, severity: Severity, rule: Rule = Rule.RESIDUAL) -> Finding:
 # --- signs, and mending with one key ------------------------------------------------------------
 
 
-def test_swapped_labels_are_found_and_mended_with_one_key(window: MainWindow, qtbot: QtBot) -> None:
+def test_swapped_labels_are_found_and_mended_with_one_key(window, qtbot):
     document = window.document
     right = document.state.annotation
     assert not document.label_check.shown
@@ -144,17 +139,16 @@ def test_swapped_labels_are_found_and_mended_with_one_key(window: MainWindow, qt
     assert concerned(window) >= {FRONT, SMALL_FRONT}
 
 
-def test_a_mended_element_keeps_how_its_points_came_to_be(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_mended_element_keeps_how_its_points_came_to_be(window, qtbot):
     document = window.document
     swap(window, qtbot)
     frame = document.state.frame
-    assert frame is not None
     before = dict(document.review.origins(frame.name))
     press(window, Qt.Key.Key_F12)
     assert dict(document.review.origins(frame.name)) == before
 
 
-def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: QtBot) -> None:
+def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
     labels = {x.sign: x for x in window.canvas.overlay_item.overlay.labels if x.sign}
     assert labels["error"].texts == ("Left penalty front",)
@@ -174,7 +168,7 @@ def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: 
     assert not any(len(x.texts) for x in window.canvas.overlay_item.overlay.labels if x.sign)
 
 
-def test_signs_of_untouched_elements_stay_while_an_edit_is_checked(window: MainWindow) -> None:
+def test_signs_of_untouched_elements_stay_while_an_edit_is_checked(window):
     document = window.document
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.ERROR))
     moved = shifted(document.state.annotation, FRONT)
@@ -183,10 +177,9 @@ def test_signs_of_untouched_elements_stay_while_an_edit_is_checked(window: MainW
     assert document.label_check.checked is None
 
 
-def test_a_bad_point_is_removed_with_one_key(window: MainWindow) -> None:
+def test_a_bad_point_is_removed_with_one_key(window):
     document = window.document
     before = document.state.annotation.get(FRONT)
-    assert before is not None
     remedy = Remedy(RemedyKind.REMOVE_POINT, "remove point 2")
     put(window, Finding(Rule.POINT, Severity.WARNING, (FRONT,), "off", (remedy,), 1, 15.0))
     ring = window.canvas.overlay_item.overlay.marks[-1]
@@ -195,14 +188,13 @@ def test_a_bad_point_is_removed_with_one_key(window: MainWindow) -> None:
     np.testing.assert_allclose(ring.centres, [[point.u * (width - 1), point.v * (height - 1)]])
     press(window, Qt.Key.Key_F12)
     after = document.state.annotation.get(FRONT)
-    assert after is not None
     assert after.points == (*before.points[:1], *before.points[2:])
     assert "removed point 2 of Left penalty front" in window.status.hint.text()
     document.editing.undo()
     assert document.state.annotation.get(FRONT) == before
 
 
-def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window: MainWindow) -> None:
+def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window):
     document = window.document
     remedy = Remedy(RemedyKind.RELABEL, "relabel", ((FRONT, "Big rect. right main"),))
     put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
@@ -213,7 +205,7 @@ def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window: MainWin
     assert "changed since" in window.status.hint.text()
 
 
-def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> None:
+def test_the_menu_over_an_element_offers_its_remedies(window):
     document = window.document
     remedy = Remedy(
         RemedyKind.RELABEL, "relabel to Right penalty front", ((FRONT, "Big rect. right main"),)
@@ -227,7 +219,7 @@ def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> Non
         )
         return {action.text(): action for action in menu.actions()}
 
-    entries()["Relabel to Right penalty front"].trigger()  # type: ignore[attr-defined]
+    entries()["Relabel to Right penalty front"].trigger()
     assert document.state.annotation.get("Big rect. right main") is not None
     assert document.state.annotation.get(FRONT) is None
     assert document.state.selected_class == "Big rect. right main"
@@ -240,7 +232,7 @@ def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> Non
 
 
 @pytest.fixture
-def mistaken(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+def mistaken(make_window, annotated, qtbot) -> MainWindow:
     """The window on the sample with swapped labels in two of its frames, at the empty one."""
     for name, a, b in (
         ("00002", FRONT, SMALL_FRONT),
@@ -262,7 +254,7 @@ def check_set(window: MainWindow, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: not window.document.label_check.running, timeout=60_000)
 
 
-def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: QtBot) -> None:
+def test_walking_over_a_set_visits_every_finding(mistaken, qtbot):
     window, document = mistaken, mistaken.document
     check = document.label_check
     check_set(window, qtbot)
@@ -274,27 +266,22 @@ def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: Qt
         press(window, Qt.Key.Key_F10)
         checked(window, qtbot)
         frame, current = document.state.frame, check.current
-        assert frame is not None
-        assert current is not None
         assert document.state.selected_class == current.places[0][0]
         visited.append((frame.name, current.key))
     assert visited == [(frame, one.key) for frame, one in check.known.in_set()]
     press(window, Qt.Key.Key_F10)
-    assert check.current is not None
     assert check.current.key == visited[0][1]
     press(window, Qt.Key.Key_F10, SHIFT)
-    assert document.state.frame is not None
     assert document.state.frame.name == "00003"
     qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
 
 
-def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot) -> None:
+def test_mending_goes_on_with_the_next_frame(mistaken, qtbot):
     window, document = mistaken, mistaken.document
     check_set(window, qtbot)
     for name in ("00002", "00003"):
         press(window, Qt.Key.Key_F10)
         checked(window, qtbot)
-        assert document.state.frame is not None
         assert document.state.frame.name == name
         press(window, Qt.Key.Key_F12)
         checked(window, qtbot)
@@ -305,7 +292,7 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
     assert "Nothing found in 3 frames" in window.findings.empty.text()
 
 
-def test_nothing_is_called_clean_that_is_still_looked_at(window: MainWindow, qtbot: QtBot) -> None:
+def test_nothing_is_called_clean_that_is_still_looked_at(window, qtbot):
     document = window.document
     assert not document.label_check.shown
     document.editing.commit_edit(
@@ -321,12 +308,9 @@ def test_nothing_is_called_clean_that_is_still_looked_at(window: MainWindow, qtb
     assert "finding 1 of" in window.status.hint.text()
 
 
-def test_another_dataset_is_walked_from_its_first_finding(
-    window: MainWindow, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_another_dataset_is_walked_from_its_first_finding(window, tmp_path, qtbot):
     document = window.document
     workspace = document.state.workspace
-    assert workspace is not None
     again = Path(shutil.copytree(workspace.folder, tmp_path / "again"))
     for folder in (None, again):
         if folder is not None:
@@ -339,9 +323,7 @@ def test_another_dataset_is_walked_from_its_first_finding(
         assert "finding 1 of" in window.status.hint.text()
 
 
-def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
-    mistaken: MainWindow, qtbot: QtBot
-) -> None:
+def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(mistaken, qtbot):
     window, frames = mistaken, mistaken.frames
 
     def listed() -> list[str]:
@@ -359,9 +341,7 @@ def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
     qtbot.waitUntil(lambda: listed() == [])  # the empty one was looked at
 
 
-def test_what_changed_while_the_set_was_checked_is_not_overwritten(
-    mistaken: MainWindow, qtbot: QtBot
-) -> None:
+def test_what_changed_while_the_set_was_checked_is_not_overwritten(mistaken, qtbot):
     window, document = mistaken, mistaken.document
     document.walk.go_to(1)
     checked(window, qtbot)
@@ -373,9 +353,7 @@ def test_what_changed_while_the_set_was_checked_is_not_overwritten(
     assert not document.label_check.known.of("00002")
 
 
-def test_a_frame_left_before_its_check_is_checked_by_itself(
-    window: MainWindow, qtbot: QtBot
-) -> None:
+def test_a_frame_left_before_its_check_is_checked_by_itself(window, qtbot):
     document, check = window.document, window.document.label_check
     document.editing.commit_edit(
         "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
@@ -386,15 +364,12 @@ def test_a_frame_left_before_its_check_is_checked_by_itself(
     assert check.known.worst("00002") is Severity.ERROR
 
 
-def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
-    mistaken: MainWindow, qtbot: QtBot
-) -> None:
+def test_what_was_found_in_clicks_that_are_gone_is_not_kept(mistaken, qtbot):
     window, document = mistaken, mistaken.document
     check = document.label_check
     document.walk.go_to(1)
     checked(window, qtbot)
     before = check.known.check_of("00002")
-    assert before is not None
     assert before.found
     document.editing.commit_edit("clear", FrameAnnotation(document.state.annotation.polylines[2:]))
     document.walk.go_to(0)
@@ -402,11 +377,10 @@ def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
     assert check.known.check_of("00002") != before
     qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
     kept = check.known.check_of("00002")
-    assert kept is not None
     assert kept.content != before.content
 
 
-def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> None:
+def test_checking_a_set_can_be_stopped(mistaken, qtbot):
     window = mistaken
     window.panels.show("findings")
     window.findings.check_button.click()
@@ -419,9 +393,7 @@ def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> No
     assert "not checked yet" in window.findings.empty.text() + window.findings.note.text()
 
 
-def test_a_large_set_is_checked_in_a_process_of_its_own(
-    make_window: MakeWindow, annotated: Path, qtbot: QtBot
-) -> None:
+def test_a_large_set_is_checked_in_a_process_of_its_own(make_window, annotated, qtbot):
     tiny = np.zeros((36, 64, 3), dtype=np.uint8)
     cv2.imwrite(str(annotated / "89.png"), tiny)
     for i in range(90, 106):
@@ -434,7 +406,7 @@ def test_a_large_set_is_checked_in_a_process_of_its_own(
     assert "1 frame cannot be checked" in window.status.hint.text()
 
 
-def test_the_list_shows_what_the_signs_above_let_through(window: MainWindow, qtbot: QtBot) -> None:
+def test_the_list_shows_what_the_signs_above_let_through(window, qtbot):
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
     window.panels.show("findings")
     panel = window.findings
@@ -449,7 +421,7 @@ def test_the_list_shows_what_the_signs_above_let_through(window: MainWindow, qtb
     qtbot.waitUntil(lambda: "2 more are not listed" in panel.empty.text())
 
 
-def test_long_reasons_are_whole(window: MainWindow, qtbot: QtBot) -> None:
+def test_long_reasons_are_whole(window, qtbot):
     long = "without Left penalty front the others drop from 14.1 to 1.8 px, " * 5
     remedy = Remedy(RemedyKind.LOOK, "look at the corner of Left penalty front and Far touchline")
     put(
@@ -469,7 +441,7 @@ def test_long_reasons_are_whole(window: MainWindow, qtbot: QtBot) -> None:
     assert panel.remedy_buttons[0].accessibleName().endswith("(F12)")
 
 
-def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_click_in_the_list_goes_there_and_buttons_mend(window, qtbot):
     document, panel = window.document, window.findings
     remedy = Remedy(RemedyKind.RELABEL, "relabel it", ((FRONT, "Big rect. right main"),))
     put(
@@ -492,8 +464,8 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtb
 
 @pytest.mark.new_window
 def test_an_ignored_finding_is_gone_until_its_element_changes(
-    window: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-) -> None:
+    window, make_window, annotated, qtbot
+):
     document, check = window.document, window.document.label_check
     swap(window, qtbot)
     keys = [found.key for found in check.shown]
@@ -504,7 +476,6 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     QTest.keyClick(window.findings.list, Qt.Key.Key_Delete)
     assert [found.key for found in check.shown] == keys[1:]
     document.editing.save_now()
-    assert document.review.database is not None
     document.review.database.flush()
     other = make_window(annotated)  # remembered by the dataset
     other.document.walk.go_to(document.state.frame_index)
@@ -519,13 +490,12 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
 def ignore(window: MainWindow, name: str) -> None:
     """Ignore the finding about an element of the frame on screen."""
     frame = window.document.state.frame
-    assert frame is not None
     for found in window.document.label_check.shown:
         if found.finding.elements == (name,):
             window.label_check.ignore(frame.name, found)
 
 
-def test_ignoring_forgets_nothing_that_is_not_found_just_now(window: MainWindow) -> None:
+def test_ignoring_forgets_nothing_that_is_not_found_just_now(window):
     both = about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT)
     put(window, *both)
     ignore(window, FRONT)
@@ -536,8 +506,8 @@ def test_ignoring_forgets_nothing_that_is_not_found_just_now(window: MainWindow)
 
 
 def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
-    window: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-) -> None:
+    window, make_window, annotated, qtbot
+):
     other = make_window(annotated)
     other.document.walk.go_to(window.document.state.frame_index)
     wholly_checked(other, qtbot)
@@ -550,7 +520,6 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
     def both_know() -> bool:
         for each in (window, other):
             database = each.document.review.database
-            assert database is not None
             database.flush()
             each.document.review.poll()
         return not concerned(window) and not concerned(other)
@@ -564,9 +533,7 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
 # --- blind mode -----------------------------------------------------------------------------------
 
 
-def test_blind_mode_shows_only_what_no_camera_was_needed_for(
-    mistaken: MainWindow, qtbot: QtBot
-) -> None:
+def test_blind_mode_shows_only_what_no_camera_was_needed_for(mistaken, qtbot):
     window, document = mistaken, mistaken.document
     check = document.label_check
     check_set(window, qtbot)
@@ -581,8 +548,8 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(
     assert check.shown == alone.found
     assert {frame for frame, _ in check.known.in_set()} <= {"00002"}  # no other one was checked so
     check_set(window, qtbot)
-    for name, index in document.state.workspace.index.items():  # type: ignore[union-attr]
-        if annotation := document.state.workspace.read(index):  # type: ignore[union-attr]
+    for name, index in document.state.workspace.index.items():
+        if annotation := document.state.workspace.read(index):
             assert (
                 check.known.of(name)
                 == check_without_fit(annotation, document.state.field, size=size).found
@@ -594,7 +561,7 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
 
 
-def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qtbot: QtBot) -> None:
+def test_rules_without_a_camera_are_looked_at_while_blind(window, qtbot):
     document = window.document
     document.blind_lock.set_blind(True)
     bent = Polyline(
@@ -615,7 +582,7 @@ def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qt
 
 
 @pytest.fixture
-def turned(make_window: MakeWindow, sample_copy: Path, qtbot: QtBot) -> MainWindow:
+def turned(make_window, sample_copy, qtbot) -> MainWindow:
     """The window on frames of one tripod, the labels of 00003 turned by half a turn."""
     for path in sample_copy.glob("0*.*"):
         if path.stem not in ("00002", "00003", "00004", "00006"):
@@ -629,9 +596,7 @@ def turned(make_window: MakeWindow, sample_copy: Path, qtbot: QtBot) -> MainWind
     return window
 
 
-def test_a_turned_frame_is_told_by_the_set_and_turned_back(
-    turned: MainWindow, qtbot: QtBot
-) -> None:
+def test_a_turned_frame_is_told_by_the_set_and_turned_back(turned, qtbot):
     window, document = turned, turned.document
     check = document.label_check
     document.walk.go_to(1)
@@ -654,8 +619,6 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(
         a.get(f"Side line {side}")
         for a, side in ((document.state.annotation, "right"), (before, "left"))
     )
-    assert turned_back is not None
-    assert turned_line is not None
     assert turned_back.points == turned_line.points
     assert Rule.OTHER_SIDE not in told()
     document.editing.undo()
@@ -666,7 +629,7 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(
 # --- empty states, export -------------------------------------------------------------------------
 
 
-def test_the_panel_says_why_it_is_empty(window: MainWindow, qtbot: QtBot) -> None:
+def test_the_panel_says_why_it_is_empty(window, qtbot):
     document, panel = window.document, window.findings
     window.panels.show("findings")
 
@@ -685,7 +648,7 @@ def test_the_panel_says_why_it_is_empty(window: MainWindow, qtbot: QtBot) -> Non
     says("not checked yet")
 
 
-def test_findings_are_exported(mistaken: MainWindow, qtbot: QtBot, tmp_path: Path) -> None:
+def test_findings_are_exported(mistaken, qtbot, tmp_path):
     window, check = mistaken, mistaken.document.label_check
     check_set(window, qtbot)
     path = tmp_path / "findings.csv"

@@ -1,7 +1,5 @@
 """Importing annotations whose labels are no classes: what they stand for is asked, and kept."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -15,15 +13,13 @@ from procc_annotator.gui.commands.files.label_dialog import LabelDialog
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import until_kept
 
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-
 
 def shape(label: str, *points: tuple[float, float]) -> dict[str, object]:
     return {"label": label, "points": [list(p) for p in points], "shape_type": "linestrip"}
 
 
 @pytest.fixture
-def foreign(tmp_path: Path) -> Path:
+def foreign(tmp_path) -> Path:
     folder = tmp_path / "foreign"
     folder.mkdir()
     for i in range(3):
@@ -44,7 +40,6 @@ def asked(window: MainWindow, qtbot: QtBot, path: Path) -> LabelDialog:
     window.importer.names = None
     window.actions_["import_annotations"].trigger()
     dialog = window.importer.dialog
-    assert dialog is not None
     dialog.path.setText(str(path))
     dialog.start_button.click()
     qtbot.waitUntil(lambda: window.importer.names is not None)
@@ -55,7 +50,6 @@ def asked(window: MainWindow, qtbot: QtBot, path: Path) -> LabelDialog:
 
 def told(window: MainWindow, qtbot: QtBot) -> str:
     dialog = window.importer.dialog
-    assert dialog is not None
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())
     return dialog.report.toPlainText()
 
@@ -69,9 +63,7 @@ def box_of(names: LabelDialog, label: str) -> QComboBox:
     return next(b for b in names.choices if b.accessibleName() == f"What {label} stands for")
 
 
-def test_labels_are_asked_for_and_kept_with_the_dataset(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_labels_are_asked_for_and_kept_with_the_dataset(window, qtbot, dataset, foreign):
     names = asked(window, qtbot, foreign)
     assert box_of(names, "halfway-line").currentText() == "Halfway line"  # by its words
     assert box_of(names, "crowd").currentText().startswith("?")  # nothing is guessed
@@ -89,16 +81,13 @@ def test_labels_are_asked_for_and_kept_with_the_dataset(
     assert '"odd"' not in text
 
 
-def test_names_that_are_kept_are_not_asked_for_again(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_names_that_are_kept_are_not_asked_for_again(window, qtbot, dataset, foreign):
     rules = [
         '"halfway-line" = "Middle line"', '"goal line" = false', "crowd = false", "odd = false"
     ]  # fmt: skip
     (dataset / "labels.toml").write_text("\n".join(["[labels]", *rules]))
     window.actions_["import_annotations"].trigger()
     dialog = window.importer.dialog
-    assert dialog is not None
     dialog.path.setText(str(foreign))
     dialog.start_button.click()
     assert "3 of 3 frames imported" in told(window, qtbot)
@@ -106,9 +95,7 @@ def test_names_that_are_kept_are_not_asked_for_again(
     assert set(json.loads((dataset / "frame_1.json").read_text())) == {"Middle line"}
 
 
-def test_cancelling_imports_nothing(
-    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
-) -> None:
+def test_cancelling_imports_nothing(window, qtbot, dataset, foreign):
     names = asked(window, qtbot, foreign)
     QTest.keyClick(names, Qt.Key.Key_Escape)
     assert "nothing was imported" in told(window, qtbot)
@@ -116,7 +103,7 @@ def test_cancelling_imports_nothing(
     assert not (dataset / "labels.toml").exists()
 
 
-def test_the_dialog_is_worked_by_keys(window: MainWindow, qtbot: QtBot, foreign: Path) -> None:
+def test_the_dialog_is_worked_by_keys(window, qtbot, foreign):
     names = asked(window, qtbot, foreign)
     qtbot.waitUntil(names.isVisible)
     first = names.choices[0]

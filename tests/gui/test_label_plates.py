@@ -1,23 +1,16 @@
 """Texts over the picture cover no other text, and leave nothing behind when they give way."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np
-import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas.label_plates import Plate, arranged
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.interaction.overlay_primitives import Labels
 from tests.gui.conftest import settle
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 ROOM = (0.0, 0.0, 600.0, 400.0)
 AT = np.array([[300.0, 200.0], [303.0, 202.0], [306.0, 204.0], [590.0, 390.0]])
@@ -29,16 +22,14 @@ def cover(one: Plate, other: Plate) -> bool:
     return a[0] < b[2] and a[2] > b[0] and a[1] < b[3] and a[3] > b[1]
 
 
-def test_none_covers_another_and_all_are_in_sight(qapp: QApplication) -> None:
+def test_none_covers_another_and_all_are_in_sight(qapp):
     plates = arranged((Labels(AT, TEXTS, "#fff"),), (1.0, 0.0, 0.0), ROOM)
     assert [plate.text for plate in plates] == list(TEXTS)
     assert not any(cover(a, b) for a, b in combinations(plates, 2))
     assert all(p.place[0] >= 0 and p.place[2] <= 600 and p.place[3] <= 400 for p in plates)
 
 
-def test_a_sign_stays_at_its_point_and_what_is_at_the_cursor_moves_nothing(
-    qapp: QApplication,
-) -> None:
+def test_a_sign_stays_at_its_point_and_what_is_at_the_cursor_moves_nothing(qapp):
     def at(*groups: Labels) -> dict[str, tuple[float, ...]]:
         return {p.text: p.place for p in arranged(groups, (1.0, 0.0, 0.0), ROOM)}
 
@@ -61,7 +52,7 @@ def on_screen(window: MainWindow) -> np.ndarray:
     return rows[top : top + viewport.height(), left : left + viewport.width(), :3].copy()
 
 
-def test_what_gives_way_leaves_no_stain(audited: MainWindow, qtbot: QtBot) -> None:
+def test_what_gives_way_leaves_no_stain(audited, qtbot):
     document, canvas = audited.document, audited.canvas
     document.camera_sources.set_active_camera(
         next(i for i, s in enumerate(document.state.sources) if s.name == "bad")

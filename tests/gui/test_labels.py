@@ -1,12 +1,9 @@
 """Distances beside points: in sight wherever their point is."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QImage, QPainter
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas import label_plates
@@ -31,9 +28,7 @@ ROOM = QRectF(0, 0, 640, 360)
         ((645, 200), (586, 175)),  # half of its mark is seen
     ],
 )
-def test_a_text_flips_where_it_would_be_cut(
-    at: tuple[float, float], corner: tuple[float, float]
-) -> None:
+def test_a_text_flips_where_it_would_be_cut(at, corner):
     plate = place_label(QPointF(*at), SIZE, ROOM, 1.0)
     assert plate == QRectF(QPointF(*corner), SIZE)
     assert ROOM.contains(plate)
@@ -48,19 +43,17 @@ def test_a_text_flips_where_it_would_be_cut(
         ((639, 358), (580, 333)),
     ],
 )
-def test_a_sign_below_its_point_flips_where_it_would_be_cut(
-    at: tuple[float, float], corner: tuple[float, float]
-) -> None:
+def test_a_sign_below_its_point_flips_where_it_would_be_cut(at, corner):
     plate = place_label(QPointF(*at), SIZE, ROOM, 1.0, below=True)
     assert plate == QRectF(QPointF(*corner), SIZE)
     assert ROOM.contains(plate)
 
 
-def test_the_text_of_a_point_out_of_sight_stays_out_of_sight() -> None:
+def test_the_text_of_a_point_out_of_sight_stays_out_of_sight():
     assert not ROOM.intersects(place_label(QPointF(655, 200), SIZE, ROOM, 1.0))
 
 
-def test_every_corner_of_a_picture_shows_its_texts(qapp: QApplication) -> None:
+def test_every_corner_of_a_picture_shows_its_texts(qapp):
     at = np.array([[0.0, 0.0], [639.0, 0.0], [0.0, 359.0], [639.0, 359.0]])
     bare = QImage(640, 360, QImage.Format.Format_RGB32)
     for point in at:
@@ -76,7 +69,7 @@ def test_every_corner_of_a_picture_shows_its_texts(qapp: QApplication) -> None:
 
 
 @pytest.fixture
-def judged(audited: MainWindow, qtbot: QtBot) -> MainWindow:
+def judged(audited, qtbot) -> MainWindow:
     """A frame with a failing point at the right edge of its picture, which fills the view."""
     document = audited.document
     document.camera_sources.set_active_camera(1)
@@ -128,9 +121,7 @@ def failing(window: MainWindow) -> np.ndarray:
     return np.array([window.canvas.to_view(*p.tolist()).toTuple() for p in labels.positions])
 
 
-def test_texts_at_the_edges_of_the_view_and_at_the_divider_are_whole(
-    judged: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_texts_at_the_edges_of_the_view_and_at_the_divider_are_whole(judged, monkeypatch):
     canvas = judged.canvas
     x = failing(judged)[:, 0].max()
     pan(judged, QPoint(round(canvas.viewport().width() - 4 - x), 0))
@@ -149,7 +140,7 @@ def test_texts_at_the_edges_of_the_view_and_at_the_divider_are_whole(
     assert all(plate.right() <= split.x for plate in left)
 
 
-def test_panning_and_the_divider_leave_no_halves_behind(judged: MainWindow, qtbot: QtBot) -> None:
+def test_panning_and_the_divider_leave_no_halves_behind(judged, qtbot):
     canvas = judged.canvas
     canvas.set_scale(2.0)
     x, y = failing(judged)[np.argmax(failing(judged)[:, 0])]

@@ -1,7 +1,5 @@
 """Landmarks in the window: named, clicked, placed, seen in the other views of the instant."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import sys
@@ -19,7 +17,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.landmark_file import load_landmarks
 from procc_annotator.gui.main_window import MainWindow
 from tests.cli.conftest import camera_file
-from tests.gui.conftest import Hand, MakeWindow, let_work_end
+from tests.gui.conftest import Hand, let_work_end
 
 ROOT = Path(__file__).parents[2]
 CLOCK = (12.0, -52.0, -11.0)
@@ -27,12 +25,10 @@ CLOSE, LEFT, RIGHT = 0, 1, 2  # frames in natural order
 
 
 @pytest.fixture
-def match(tmp_path: Path) -> Path:
+def match(tmp_path) -> Path:
     """Three views of one instant, six landmarks clicked in each; nothing known of them."""
     path = ROOT / "docs/examples/three_views.py"
     spec = importlib.util.spec_from_file_location("three_views", path)
-    assert spec is not None
-    assert spec.loader is not None
     module = sys.modules["three_views"] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     folder = tmp_path / "match"
@@ -42,7 +38,7 @@ def match(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def seen(make_window: MakeWindow, match: Path, qtbot: QtBot) -> MainWindow:
+def seen(make_window, match, qtbot) -> MainWindow:
     window = make_window(match)
     window.panels.show("landmarks")
     qtbot.waitUntil(window.landmarks.name.isEnabled)
@@ -62,7 +58,7 @@ def name_landmark(window: MainWindow, name: str) -> None:
 
 
 def press(button: object) -> None:
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)  # type: ignore[call-overload]
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
 def triangulated(window: MainWindow, qtbot: QtBot, name: str) -> None:
@@ -72,9 +68,7 @@ def triangulated(window: MainWindow, qtbot: QtBot, name: str) -> None:
     qtbot.waitUntil(lambda: rows(window)[-1][1] != "", timeout=20_000)
 
 
-def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
-    seen: MainWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(seen, match, qtbot):
     assert not seen.landmarks.empty.isHidden()
     triangulated(seen, qtbot, "Clock")
     (mark,) = load_landmarks(match / "landmarks.json").landmarks
@@ -82,17 +76,15 @@ def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
     assert np.abs(np.array(mark.position) - CLOCK).max() < 2
     assert (mark.surveyed, mark.frames) == (False, ("17_left", "17_right"))
     element = seen.document.state.field.element("Clock")
-    assert element is not None
     assert element.is_spot
     assert seen.document.state.selected_class == "Clock"
     again = load_landmarks(match / "landmarks.json")
     assert again == seen.document.landmarks.file
 
 
-def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path) -> None:
+def test_a_landmark_without_a_place_is_not_judged(seen, match):
     assert seen.document.camera_sources.load_cameras(match / "cameras")
     document = seen.document
-    assert document.judge.score is not None
     before = document.judge.score.fn  # six classes that nobody knows
     name_landmark(seen, "Clock")
     assert document.judge.score.fn == before - 1
@@ -100,9 +92,7 @@ def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path)
     assert "Clock" not in [element.name for element in document.judge.score.elements]
 
 
-def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
-    make_window: MakeWindow, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(make_window, dataset, qtbot):
     marks = [
         {"name": "ball", "title": "The ball", "moving": True},
         {"name": "ball", "position": [0, 200, 0], "instant": "t1"},  # behind the camera
@@ -125,9 +115,7 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
     assert "the camera does not show it" in why()
 
 
-def test_a_landmark_shows_its_uncertainty_in_the_other_views(
-    seen: MainWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_a_landmark_shows_its_uncertainty_in_the_other_views(seen, match, qtbot):
     triangulated(seen, qtbot, "Clock")
     assert seen.document.camera_sources.load_cameras(match / "cameras")
     for frame in (LEFT, CLOSE):
@@ -138,14 +126,13 @@ def test_a_landmark_shows_its_uncertainty_in_the_other_views(
         assert any(stroke.colour == shown.colour and stroke.dash for stroke in drawn)
     assert shown.ellipse.semi_axes_px[0] > 8  # the close-up shows a decimetre as many pixels
     clicked = seen.document.state.annotation.get("Clock")
-    assert clicked is not None
     click_px = np.array([clicked.points[0].u * 959, clicked.points[0].v * 539])
     assert np.hypot(*(shown.ellipse.centre_px - click_px)) < 20
     seen.document.blind_lock.set_blind(True)
     assert seen.document.landmarks.ellipses == ()
 
 
-def test_the_other_views_are_a_click_away(seen: MainWindow, qtbot: QtBot) -> None:
+def test_the_other_views_are_a_click_away(seen, qtbot):
     panel = seen.landmarks
     assert seen.document.state.frame_index == CLOSE
     texts = [panel.views.item(i).text() for i in range(panel.views.count())]
@@ -157,9 +144,7 @@ def test_the_other_views_are_a_click_away(seen: MainWindow, qtbot: QtBot) -> Non
     qtbot.waitUntil(lambda: panel.views.item(0).text() == "close  (17_close)")
 
 
-def test_a_surveyed_place_is_kept_and_used(
-    seen: MainWindow, match: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_surveyed_place_is_kept_and_used(seen, match, qtbot, monkeypatch):
     name_landmark(seen, "Mast")
     qtbot.waitUntil(lambda: len(rows(seen)) == 1)
     panel = seen.landmarks
@@ -185,7 +170,7 @@ def test_a_surveyed_place_is_kept_and_used(
     assert "Mast" in seen.document.state.annotation.annotated  # clicks are nobody's to throw away
 
 
-def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+def test_a_surveyed_place_is_not_triangulated(seen, match, qtbot):
     name_landmark(seen, "Clock")
     panel, path = seen.landmarks, match / "landmarks.json"
     qtbot.waitUntil(panel.triangulate.isEnabled)
@@ -200,9 +185,7 @@ def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtb
     assert path.read_bytes() == written
 
 
-def test_a_place_surveyed_while_it_is_triangulated_stays(
-    seen: MainWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_a_place_surveyed_while_it_is_triangulated_stays(seen, match, qtbot):
     name_landmark(seen, "Clock")
     qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
     press(seen.landmarks.triangulate)
@@ -217,9 +200,7 @@ def test_a_place_surveyed_while_it_is_triangulated_stays(
 
 
 @pytest.mark.parametrize("by_hand", [True, False])
-def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(
-    seen: MainWindow, match: Path, qtbot: QtBot, by_hand: bool
-) -> None:
+def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(seen, match, qtbot, by_hand):
     name_landmark(seen, "Clock")
     qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
     press(seen.landmarks.triangulate)
@@ -235,9 +216,7 @@ def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(
     qtbot.waitUntil(lambda: rows(seen) == [])
 
 
-def test_why_nothing_can_be_triangulated_is_said_where_one_looks(
-    seen: MainWindow, qtbot: QtBot
-) -> None:
+def test_why_nothing_can_be_triangulated_is_said_where_one_looks(seen, qtbot):
     panel = seen.landmarks
     assert "no landmarks yet: Board, Clock, Mast, Seat A and 2 more" in panel.hint.text()
     assert panel.triangulate.toolTip() == panel.hint.text()
@@ -250,9 +229,7 @@ def test_why_nothing_can_be_triangulated_is_said_where_one_looks(
     assert panel.hint.isHidden()
 
 
-def test_rows_that_name_no_frame_are_told_once(
-    make_window: MakeWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_rows_that_name_no_frame_are_told_once(make_window, match, qtbot):
     path = match / "views.csv"
     good = path.read_text()
     path.write_text(f"{good}17_lefft,17,x\n99,2,\n")
@@ -272,9 +249,7 @@ def test_rows_that_name_no_frame_are_told_once(
     assert window.message_bar.isHidden()
 
 
-def test_landmarks_are_back_once_the_field_knows_no_class_of_their_name(
-    make_window: MakeWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_landmarks_are_back_once_the_field_knows_no_class_of_their_name(make_window, match, qtbot):
     window = make_window(match)
     clash = next(e.name for e in load_field("tennis").elements)
     window.document.field_choice.take(load_field("tennis"))
@@ -288,7 +263,7 @@ def test_landmarks_are_back_once_the_field_knows_no_class_of_their_name(
     assert [mark.name for mark in window.document.landmarks.entries] == [clash]
 
 
-def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> None:
+def test_views_are_counted_while_hands_click(seen, qtbot):
     name_landmark(seen, "Lamp")
     qtbot.waitUntil(lambda: rows(seen) == [["Lamp", "", "", "0"]])
     Hand(seen).draw("Lamp", (300, 200))
@@ -297,9 +272,7 @@ def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> 
     qtbot.waitUntil(lambda: rows(seen)[0][3] == "0")
 
 
-def test_what_another_program_wrote_meanwhile_is_not_lost(
-    seen: MainWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_what_another_program_wrote_meanwhile_is_not_lost(seen, match, qtbot):
     name_landmark(seen, "Clock")
     entries = [{"name": "Clock"}, {"name": "Flag", "position": [52, -34, 0], "by": "hand"}]
     (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
@@ -310,9 +283,7 @@ def test_what_another_program_wrote_meanwhile_is_not_lost(
     qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Flag", "Mast"])
 
 
-def test_what_another_program_writes_is_shown_at_once(
-    seen: MainWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_what_another_program_writes_is_shown_at_once(seen, match, qtbot):
     entries = [{"name": "Clock", "position": [12, -52, -11]}, {"name": "Mast"}]
     (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
     qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Mast"])
@@ -338,8 +309,8 @@ def test_what_another_program_writes_is_shown_at_once(
     ],
 )
 def test_damage_by_another_program_is_told_and_the_last_good_stays(
-    seen: MainWindow, match: Path, qtbot: QtBot, name: str, text: str, words: str
-) -> None:
+    seen, match, qtbot, name, text, words
+):
     name_landmark(seen, "Clock")
     assert seen.document.landmarks.survey("Clock", "12, -52, -11")
     good, path = (match / name).read_bytes(), match / name
@@ -355,15 +326,13 @@ def test_damage_by_another_program_is_told_and_the_last_good_stays(
     assert seen.document.landmarks.remove("Clock")
 
 
-def test_what_cannot_be_is_said(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+def test_what_cannot_be_is_said(seen, match, qtbot):
     name_landmark(seen, "Middle line")
     assert "is a class of the field" in seen.message_bar.label.text()
     assert not (match / "landmarks.json").exists()
 
 
-def test_a_damaged_file_is_told_and_never_written_over(
-    make_window: MakeWindow, match: Path, qtbot: QtBot
-) -> None:
+def test_a_damaged_file_is_told_and_never_written_over(make_window, match, qtbot):
     (match / "landmarks.json").write_text('{"landmarks": [{"name": 3}]}')
     window = make_window(match)
     window.panels.show("landmarks")
@@ -374,18 +343,14 @@ def test_a_damaged_file_is_told_and_never_written_over(
     assert (match / "landmarks.json").read_text() == '{"landmarks": [{"name": 3}]}'
 
 
-def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(
-    seen: MainWindow, dataset: Path, qtbot: QtBot
-) -> None:
+def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(seen, dataset, qtbot):
     triangulated(seen, qtbot, "Clock")
     assert seen.document.opening.open_path(dataset)
     assert not seen.document.state.field.knows("Clock")
     qtbot.waitUntil(lambda: rows(seen) == [])
 
 
-def test_a_place_is_not_deleted_unasked(
-    seen: MainWindow, match: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_place_is_not_deleted_unasked(seen, match, monkeypatch):
     panel, answers, told = seen.landmarks, [False, True], []
     asked: list[str] = []
 
@@ -406,7 +371,7 @@ def test_a_place_is_not_deleted_unasked(
     assert any("deleted the landmark Clock" in text for text in told)
 
 
-def test_a_landmark_without_a_name_is_asked_for_one(seen: MainWindow) -> None:
+def test_a_landmark_without_a_name_is_asked_for_one(seen):
     press(seen.landmarks.add)
     assert "needs a name" in seen.message_bar.label.text()
     assert seen.landmarks.name.hasFocus()

@@ -1,7 +1,5 @@
 """The window in other languages."""
 
-from __future__ import annotations
-
 import copy
 import importlib.util
 import re
@@ -28,7 +26,6 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
-from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from procc_annotator import translation
@@ -57,9 +54,6 @@ from procc_annotator.translation import (
 from tests.gui.conftest import Hand, all_done
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-
 
 @pytest.fixture
 def pseudo() -> Iterator[None]:
@@ -73,26 +67,26 @@ def pseudo() -> Iterator[None]:
     translation.set_translator(None)
 
 
-def test_texts_are_english_where_no_language_is_taken_up() -> None:
+def test_texts_are_english_where_no_language_is_taken_up():
     assert tr("{a} of {b}", a=1, b=2) == "1 of 2"
     assert tr("100 % {of it}") == "100 % {of it}"
     assert tr_count(1, "{n} frame of {all}", "{n} frames of {all}", all=3) == "1 frame of 3"
     assert tr_count(2, "{n} frame of {all}", "{n} frames of {all}", all=3) == "2 frames of 3"
 
 
-def test_texts_and_their_values_go_through_the_language(pseudo: None) -> None:
+def test_texts_and_their_values_go_through_the_language(pseudo):
     assert tr("{a} of {b}", a=1, b=2) == "⟦1 of 2⟧"
     assert tr_count(1, "{n} frame", "{n} frames") == "⟦1 frames⟧"
 
 
-def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo: None) -> None:
+def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo):
     step = translatable("drop {what}", what=translatable_count(1, "{n} line", "{n} lines"))
     assert step == "drop 1 line"
     assert tr(step) == "⟦drop ⟦1 lines⟧⟧"
     assert tr("saved") == "⟦saved⟧"
 
 
-def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) -> None:
+def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo):
     titles = [translatable("Left line"), translatable("Arc"), translatable("Goal")]
     lines = translatable_count(
         1, "{n} line of {titles}", "{n} lines of {titles}", titles=translatable_all(titles)
@@ -110,11 +104,10 @@ def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) 
         assert "⟦2.0 px off⟧" in shown
 
 
-def test_a_finding_is_said_with_the_titles_of_its_elements(pseudo: None) -> None:
+def test_a_finding_is_said_with_the_titles_of_its_elements(pseudo):
     element = load_field("soccer").element("Middle line")
     assert element is not None
     found = few_points_finding(AnnotatedElement(element, np.array([[1.0, 2.0]]), (0,)))
-    assert found is not None
     assert found.reason == "Halfway line has 1 point, a line takes two"
     assert tr(found.reason) == "⟦⟦Halfway line⟧ has 1 points, a line takes two⟧"
     assert tr(found.remedies[0].text) == "⟦look at it⟧"
@@ -180,9 +173,7 @@ def _draw_and_ask(window: MainWindow) -> None:
 
 
 @pytest.mark.new_window
-def test_no_word_of_the_window_is_left_out(
-    pseudo: None, audited: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_word_of_the_window_is_left_out(pseudo, audited, monkeypatch):
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
     audited.document.store.events.message.connect(lambda m: found.append(("told", m.text)))
     audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
@@ -207,11 +198,10 @@ def test_no_word_of_the_window_is_left_out(
 
 @pytest.mark.new_window
 def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
-    pseudo: None, begun: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot, tmp_path: Path
-) -> None:
+    pseudo, begun, monkeypatch, qtbot, tmp_path
+):
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
     document, workspace = begun.document, begun.document.state.workspace
-    assert workspace is not None
     document.store.events.message.connect(lambda m: found.append(("told", m.text)))
     begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     second = shutil.copytree(workspace.root, tmp_path / "second")
@@ -254,9 +244,7 @@ def german() -> Iterator[None]:
 
 
 @pytest.mark.new_window
-def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
-    german: None, window: MainWindow
-) -> None:
+def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(german, window):
     commands = window.commands
     window.find_anything()
     for words, title in (
@@ -274,7 +262,6 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
 
     commands.show_keys()
     sheet = commands._sheet
-    assert sheet is not None
     for words, text in (
         ("mittellinie", "Mittellinie"),
         ("halfway", "Mittellinie"),
@@ -287,7 +274,6 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
 
     commands.show_settings()
     dialog = commands._dialog
-    assert dialog is not None
     for words in ("textgröße", "size of texts"):
         dialog.search.setText(words)
         shown = [row.setting.key for row in dialog.rows if not row.isHidden()]
@@ -301,7 +287,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
     keys.deleteLater()
 
 
-def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
+def test_menus_open_by_letters_of_their_own_language(german):
     titles = {"File": "ファイル", "Edit": "Bearbeiten", "Frame": "Bild"}
     translation.set_translator(lambda text, about, count: titles.get(text, text))
     said = mnemonics(MENUS)
@@ -313,7 +299,7 @@ def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
 
 
 @pytest.mark.new_window
-def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication) -> None:
+def test_a_title_says_below_its_group_what_the_group_does_not(qapp):
     take_up(qapp, "de")
     shown = short_titles(load_field("soccer"))
     take_up(qapp, "en")
@@ -323,9 +309,7 @@ def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication
 
 
 @pytest.mark.new_window
-def test_how_cameras_are_read_is_said_in_the_language(
-    qapp: QApplication, request: pytest.FixtureRequest, qtbot: QtBot
-) -> None:
+def test_how_cameras_are_read_is_said_in_the_language(qapp, request, qtbot):
     take_up(qapp, "de")
     try:
         window: MainWindow = request.getfixturevalue("window")
@@ -336,10 +320,9 @@ def test_how_cameras_are_read_is_said_in_the_language(
         take_up(qapp, "en")
 
 
-def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) -> None:
+def test_the_guide_says_that_it_is_in_english(german, window):
     window.commands.show_guide()
     guide = window.commands._guide
-    assert guide is not None
     assert guide.findChild(QLabel, "guideLanguage") is not None
     guide.close()
 
@@ -358,7 +341,7 @@ def _longer(text: str, about: str, count: int) -> str:
 
 
 @pytest.fixture(params=["longer", "de", "fr"])
-def longest(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
+def longest(request, qapp) -> Iterator[str]:
     """The languages with the longest words."""
     if request.param == "longer":
         translation.set_translator(_longer)
@@ -420,9 +403,7 @@ def _cut_off(window: QWidget) -> dict[str, str]:
 
 
 @pytest.mark.new_window
-def test_nothing_is_cut_off(
-    longest: str, audited: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_cut_off(longest, audited, monkeypatch):
     audited.resize(1280, 720)
     cut: dict[str, str] = {}
     for desk in DESKS:
@@ -447,15 +428,13 @@ def tool() -> ModuleType:
     """What collects the texts, as a module."""
     path = Path(__file__).parents[2] / "packaging" / "languages.py"
     spec = importlib.util.spec_from_file_location("languages_tool", path)
-    assert spec is not None
-    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module  # its dataclasses look for it there
     spec.loader.exec_module(module)
     return module
 
 
-def test_no_words_of_the_code_are_out_of_reach(tool: ModuleType) -> None:
+def test_no_words_of_the_code_are_out_of_reach(tool):
     assert tool.unsaid() == []
 
 
@@ -467,7 +446,7 @@ def _forms(text: Any, forms: tuple[str, ...]) -> dict[int, str]:
     return {1: forms[0], 5: forms[-1]} if text.one else {-1: forms[0]}
 
 
-def test_translations_are_complete_have_no_faults_and_are_compiled(tool: ModuleType) -> None:
+def test_translations_are_complete_have_no_faults_and_are_compiled(tool):
     texts = {(text.source, text.about): text for text in tool.collected()}
     for name in _TRANSLATED:
         known = {key: forms for key, forms in tool.translations(name).items() if key in texts}
@@ -483,7 +462,7 @@ def test_translations_are_complete_have_no_faults_and_are_compiled(tool: ModuleT
 
 
 @pytest.mark.parametrize("name", _TRANSLATED)
-def test_a_language_is_spoken_once_it_is_taken_up(qapp: QApplication, name: str) -> None:
+def test_a_language_is_spoken_once_it_is_taken_up(qapp, name):
     take_up(qapp, name)
     said, of_qt = tr("Undo"), QKeySequence("Space").toString(NATIVE)
     take_up(qapp, "en")

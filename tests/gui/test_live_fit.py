@@ -1,7 +1,5 @@
 """The camera of the clicks on screen: fitted after every edit, judged, kept, hidden when blind."""
 
-from __future__ import annotations
-
 import csv
 import json
 import re
@@ -29,16 +27,13 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.plots.data import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.prediction import live_fit
-from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, all_done, let_work_end, settle
 
 FAR = "Side line top"
 
 
 @pytest.fixture
-def fitted(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+def fitted(make_window, annotated, qtbot) -> MainWindow:
     """The window on the second frame of the sample, fitted; the first one was not looked at."""
     database_free = annotated / ".procc"
     assert not database_free.exists()
@@ -61,7 +56,6 @@ def arrive(window: MainWindow, qtbot: QtBot) -> FrameAnalysis:
 def nudged(annotation: FrameAnnotation, by: float, index: int = 0) -> FrameAnnotation:
     """A point of the far touchline moved down by a share of the picture."""
     line = annotation.get(FAR)
-    assert line is not None
     points = list(line.points)
     points[index] = points[index]._replace(v=points[index].v + by)
     moved = replace(line, points=tuple(points))
@@ -75,7 +69,7 @@ def without(annotation: FrameAnnotation, keep: int) -> FrameAnnotation:
 
 
 @pytest.fixture
-def slow_fits(monkeypatch: pytest.MonkeyPatch) -> Callable[[], threading.Event]:
+def slow_fits(monkeypatch) -> Callable[[], threading.Event]:
     """Fits that wait for a word; `asked` counts what was begun."""
 
     def hold() -> threading.Event:
@@ -92,7 +86,7 @@ def slow_fits(monkeypatch: pytest.MonkeyPatch) -> Callable[[], threading.Event]:
 
 
 class TestFit:
-    def test_it_is_the_camera_of_the_clicks(self, fitted: MainWindow, annotated: Path) -> None:
+    def test_it_is_the_camera_of_the_clicks(self, fitted, annotated):
         document = fitted.document
         fit = document.live_fit.result
         true = read_camera((annotated / "cameras" / "true" / "camera_00002.json").read_bytes(),
@@ -100,9 +94,7 @@ class TestFit:
         assert fit.size == document.state.picture_size
         assert np.hypot(*np.subtract(fit.camera.position_world, true.camera.position_world)[:2]) < 8
 
-    def test_of_a_burst_of_edits_only_the_last_one_is_shown(
-        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
-    ) -> None:
+    def test_of_a_burst_of_edits_only_the_last_one_is_shown(self, fitted, qtbot, slow_fits):
         document, start = fitted.document, fitted.document.state.annotation
         go, shown = slow_fits(), []
         document.live_fit.changed.connect(lambda: shown.append(document.live_fit.insight))
@@ -117,9 +109,7 @@ class TestFit:
         let_work_end(qtbot)
         assert document.live_fit.insight is insight
 
-    def test_bursts_do_not_queue(
-        self, fitted: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_bursts_do_not_queue(self, fitted, qtbot, monkeypatch):
         begun: list[FrameAnnotation] = []
         go, real = threading.Event(), analyse_frame
 
@@ -138,9 +128,7 @@ class TestFit:
         arrive(fitted, qtbot)
         assert len(begun) == 2  # the one under way, and the newest
 
-    def test_frames_that_are_only_passed_are_not_fitted(
-        self, fitted: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_frames_that_are_only_passed_are_not_fitted(self, fitted, qtbot, monkeypatch):
         begun: list[FrameAnnotation] = []
 
         def note(annotation: FrameAnnotation, *more: Any, **terms: Any) -> FrameAnalysis:
@@ -155,9 +143,7 @@ class TestFit:
         arrive(fitted, qtbot)
         assert [id(annotation) for annotation in begun] == [id(document.state.annotation)]
 
-    def test_a_closed_window_works_for_nobody(
-        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
-    ) -> None:
+    def test_a_closed_window_works_for_nobody(self, fitted, qtbot, slow_fits):
         document, go = fitted.document, slow_fits()
         document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         fitted.close()
@@ -167,9 +153,7 @@ class TestFit:
         let_work_end(qtbot)
         assert document.live_fit.insight is None
 
-    def test_what_was_fitted_before_is_there_at_once(
-        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
-    ) -> None:
+    def test_what_was_fitted_before_is_there_at_once(self, fitted, qtbot, slow_fits):
         document = fitted.document
         second = document.live_fit.insight
         document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
@@ -186,9 +170,7 @@ class TestFit:
         assert document.live_fit.insight is third
         go.set()
 
-    def test_a_frame_that_was_left_is_never_shown_on_another(
-        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
-    ) -> None:
+    def test_a_frame_that_was_left_is_never_shown_on_another(self, fitted, qtbot, slow_fits):
         document = fitted.document
         document.camera_sources.set_active_camera(0)
         assert document.judge.score is not None
@@ -201,7 +183,7 @@ class TestFit:
         assert arrive(fitted, qtbot).annotation is document.state.annotation
         assert document.live_fit.result.failure is not None
 
-    def test_a_drag_is_fitted_once_it_ends(self, fitted: MainWindow, qtbot: QtBot) -> None:
+    def test_a_drag_is_fitted_once_it_ends(self, fitted, qtbot):
         document, hand = fitted.document, Hand(fitted)
         document.selecting.set_mode("edit")
         before = document.live_fit.insight
@@ -225,9 +207,7 @@ class TestFit:
         assert insight is not before
         assert insight.annotation is document.state.annotation
 
-    def test_switched_off_and_on_and_remembered(
-        self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_switched_off_and_on_and_remembered(self, fitted, make_window, annotated, qtbot):
         fitted.actions_["live_fit"].trigger()
         document = fitted.document
         assert document.live_fit.insight is None
@@ -243,7 +223,7 @@ class TestFit:
 
 
 @pytest.fixture
-def bugs(monkeypatch: pytest.MonkeyPatch) -> list[BaseException]:
+def bugs(monkeypatch) -> list[BaseException]:
     """Exceptions that nobody expected; they fail the test otherwise."""
     raised: list[BaseException] = []
     monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: raised.append(error))
@@ -252,12 +232,8 @@ def bugs(monkeypatch: pytest.MonkeyPatch) -> list[BaseException]:
 
 class TestBugs:
     def test_a_fit_that_fails_unexpectedly_is_told_and_the_next_one_is_done(
-        self,
-        fitted: MainWindow,
-        qtbot: QtBot,
-        monkeypatch: pytest.MonkeyPatch,
-        bugs: list[BaseException],
-    ) -> None:
+        self, fitted, qtbot, monkeypatch, bugs
+    ):
         def fail(*_: Any, **__: Any) -> FrameAnalysis:
             raise ZeroDivisionError("in a fit")
 
@@ -275,13 +251,7 @@ class TestBugs:
         document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         arrive(fitted, qtbot)
 
-    def test_clicks_made_while_a_fit_failed_are_fitted(
-        self,
-        fitted: MainWindow,
-        qtbot: QtBot,
-        monkeypatch: pytest.MonkeyPatch,
-        bugs: list[BaseException],
-    ) -> None:
+    def test_clicks_made_while_a_fit_failed_are_fitted(self, fitted, qtbot, monkeypatch, bugs):
         document, go = fitted.document, threading.Event()
         begun: list[FrameAnnotation] = []
 
@@ -302,9 +272,7 @@ class TestBugs:
 
 
 class TestSource:
-    def test_it_is_listed_but_judged_only_on_request(
-        self, fitted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_it_is_listed_but_judged_only_on_request(self, fitted, qtbot):
         document = fitted.document
         assert [s.name for s in document.state.sources] == ["fit"]
         assert document.state.active is None
@@ -318,9 +286,7 @@ class TestSource:
         assert document.judge.score.jac > 0.9
         assert fitted.top_bar.camera_bar.jac.text().endswith("of the fit")
 
-    def test_it_says_that_it_is_of_these_clicks(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_it_says_that_it_is_of_these_clicks(self, fitted, annotated, qtbot):
         document = fitted.document
         folder = annotated / "cameras" / "kept"
         name = document.state.frame.name
@@ -348,7 +314,7 @@ class TestSource:
         label = fitted.findChild(QLabel, "cameras_model_0")
         qtbot.waitUntil(lambda: other in label.toolTip())
 
-    def test_three_elements_show_the_field(self, fitted: MainWindow, qtbot: QtBot) -> None:
+    def test_three_elements_show_the_field(self, fitted, qtbot):
         document, whole = fitted.document, fitted.document.state.annotation
         document.camera_sources.set_active_camera(0)
         document.editing.commit_edit("fewer", without(whole, 2))
@@ -361,7 +327,7 @@ class TestSource:
         assert document.judge.score is not None
         assert len(document.judge.measurement.projected.pieces) > 3
 
-    def test_its_score_follows_the_clicks(self, fitted: MainWindow, qtbot: QtBot) -> None:
+    def test_its_score_follows_the_clicks(self, fitted, qtbot):
         document = fitted.document
         document.camera_sources.set_active_camera(0)
         name = document.state.frame.name
@@ -381,8 +347,7 @@ class TestSource:
             document.judge.score.jac
         )
 
-    def test_it_is_compared_with_a_method(self, fitted: MainWindow, annotated: Path,
-                                          qtbot: QtBot) -> None:  # fmt: skip
+    def test_it_is_compared_with_a_method(self, fitted, annotated, qtbot):
         document = fitted.document
         document.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(fitted, qtbot)
@@ -405,9 +370,7 @@ class TestSource:
         )
         assert document.disagreement.value.names == ("bad", "fit")
 
-    def test_a_fit_that_arrives_takes_no_score_from_others(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_fit_that_arrives_takes_no_score_from_others(self, fitted, annotated, qtbot):
         """While the set is audited, only the fit of a frame is known anew, nothing of a method."""
         document = fitted.document
         document.camera_sources.load_cameras(annotated / "cameras" / "true")
@@ -416,7 +379,7 @@ class TestSource:
         settle(fitted, qtbot)
         assert "00002" in document.auditing.active_audits
 
-    def test_only_frames_looked_at_count(self, fitted: MainWindow, qtbot: QtBot) -> None:
+    def test_only_frames_looked_at_count(self, fitted, qtbot):
         document = fitted.document
         document.walk.go_to(2)
         arrive(fitted, qtbot)
@@ -425,8 +388,8 @@ class TestSource:
         assert set(document.fit_source.cameras.frames) == {"00002", "00003"}
 
     def test_it_enters_no_scores_no_verdicts_and_no_memory(
-        self, fitted: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+        self, fitted, annotated, tmp_path, qtbot
+    ):
         document = fitted.document
         document.camera_sources.set_active_camera(0)
         told = []
@@ -450,9 +413,7 @@ class TestSource:
             p.name for p in (annotated / "cameras" / "true").iterdir()
         }
 
-    def test_removing_it_switches_the_live_fit_off(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_removing_it_switches_the_live_fit_off(self, fitted, annotated, qtbot):
         document = fitted.document
         document.camera_sources.load_cameras(annotated / "cameras" / "true")
         document.camera_sources.set_active_camera(1)
@@ -463,9 +424,7 @@ class TestSource:
         assert [s.name for s in document.state.sources] == ["true"]
         assert document.state.active.name == "true"
 
-    def test_a_folder_called_fit_gets_another_name(
-        self, fitted: MainWindow, annotated: Path
-    ) -> None:
+    def test_a_folder_called_fit_gets_another_name(self, fitted, annotated):
         (annotated / "cameras" / "true").rename(annotated / "cameras" / "fit")
         assert fitted.document.camera_sources.load_cameras(annotated / "cameras" / "fit")
         assert [s.name for s in fitted.document.state.sources] == ["fit (2)", "fit"]
@@ -473,8 +432,8 @@ class TestSource:
         assert fitted.document.state.sources[1].name == "fit"
 
     def test_whoever_judges_it_finds_it_judged_the_next_time(
-        self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+        self, fitted, make_window, annotated, qtbot
+    ):
         fitted.document.camera_sources.set_active_camera(0)
         fitted.close()
         again = make_window(annotated)
@@ -483,7 +442,7 @@ class TestSource:
 
 
 class TestPanel:
-    def test_it_says_model_figures_and_elements(self, fitted: MainWindow, qtbot: QtBot) -> None:
+    def test_it_says_model_figures_and_elements(self, fitted, qtbot):
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
         qtbot.waitUntil(lambda: bool(panel.rows.rows))
@@ -499,9 +458,7 @@ class TestPanel:
         arrive(fitted, qtbot)
         qtbot.waitUntil(lambda: "Chosen: " in panel.chosen.text())
 
-    def test_an_element_left_out_says_so_and_a_click_goes_to_its_worst_point(
-        self, fitted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_an_element_left_out_says_so_and_a_click_goes_to_its_worst_point(self, fitted, qtbot):
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
         document.editing.commit_edit("wrong", nudged(document.state.annotation, 0.2))
@@ -518,8 +475,8 @@ class TestPanel:
         assert flown == [pytest.approx((point.u * 1279, point.v * 719))]
 
     def test_a_row_of_the_clicks_before_leads_to_an_element_that_has_got_shorter(
-        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
-    ) -> None:
+        self, fitted, qtbot, slow_fits
+    ):
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
         whole = document.state.annotation
@@ -540,9 +497,7 @@ class TestPanel:
         assert flown == [pytest.approx((first.u * 1279, first.v * 719))]
         go.set()
 
-    def test_it_says_what_counts_against_it_though_nothing_annotated_is_off(
-        self, fitted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_it_says_what_counts_against_it_though_nothing_annotated_is_off(self, fitted, qtbot):
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
         whole = "12 of 12 annotated elements within 5 px"
@@ -555,7 +510,7 @@ class TestPanel:
         waiting = int(said.fullmatch(panel.counted.text())[1])
         assert float(panel.jac.text()) == pytest.approx(5 / (5 + waiting), abs=1e-3)
 
-    def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
+    def test_it_says_why_there_is_no_camera(self, fitted, qtbot):
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
         document.editing.commit_edit("fewer", without(document.state.annotation, 2))
@@ -577,9 +532,7 @@ class TestSaving:
         qtbot.waitUntil(lambda: any("sav" in text for text in told))
         return told[-1]
 
-    def test_the_file_holds_the_camera_and_what_it_was_fitted_from(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_the_file_holds_the_camera_and_what_it_was_fitted_from(self, fitted, annotated, qtbot):
         path = annotated / "cameras" / "fitted" / "camera_00002.json"
         assert str(path) in self.save(fitted, qtbot)
         loaded = read_camera(path.read_bytes(), path="")
@@ -589,18 +542,14 @@ class TestSaving:
         assert loaded.size == (1280, 720)
         assert json.loads(path.read_text())["fit"]["model"] == "P"
 
-    def test_each_fit_is_written_however_soon_the_next_is_asked_for(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_each_fit_is_written_however_soon_the_next_is_asked_for(self, fitted, annotated, qtbot):
         told: list[str] = []
         fitted.document.store.events.message.connect(lambda m: told.append(m.text))
         for _ in range(2):
             fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: sum("is saved as" in text for text in told) == 2)
 
-    def test_a_camera_that_is_hardly_determined_is_called_so(
-        self, fitted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_camera_that_is_hardly_determined_is_called_so(self, fitted, qtbot):
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
         qtbot.waitUntil(lambda: panel.chosen.text().startswith("P"))
@@ -613,9 +562,7 @@ class TestSaving:
         assert self.save(fitted, qtbot).endswith(f"hardly determined: {left_open}")
         assert left_open in fitted.message_bar.label.text()
 
-    def test_a_single_picture_keeps_its_fit_in_its_folder(
-        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_single_picture_keeps_its_fit_in_its_folder(self, make_window, annotated, qtbot):
         window = make_window(annotated / "00002.jpg")
         arrive(window, qtbot)
         path = annotated / "cameras" / "fitted" / "camera_00002.json"
@@ -625,9 +572,7 @@ class TestSaving:
         document.camera_sources.load_cameras(path.parent)
         assert document.verdicts.place(document.state.sources[0]).endswith(":cameras/fitted")
 
-    def test_a_loaded_folder_shows_the_new_camera(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_loaded_folder_shows_the_new_camera(self, fitted, annotated, qtbot):
         document = fitted.document
         self.save(fitted, qtbot)
         document.camera_sources.load_cameras(annotated / "cameras" / "fitted")
@@ -646,9 +591,7 @@ class TestSaving:
         shown = document.judge.camera.position_world
         assert shown == pytest.approx(fit.camera.position_world)
 
-    def test_a_camera_of_somebody_else_stays(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_camera_of_somebody_else_stays(self, fitted, annotated, qtbot):
         folder = annotated / "cameras" / "fitted"
         folder.mkdir()
         theirs = folder / "camera_00002.json"
@@ -657,9 +600,7 @@ class TestSaving:
         assert "was not saved as a fit" in self.save(fitted, qtbot)
         assert theirs.read_bytes() == before
 
-    def test_a_failing_save_is_told_once(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_failing_save_is_told_once(self, fitted, annotated, qtbot):
         (annotated / "cameras" / "fitted").write_text("in the way")
         told: list[tuple[str, str]] = []
         fitted.document.store.events.message.connect(lambda m: told.append((m.text, m.level)))
@@ -671,9 +612,7 @@ class TestSaving:
 
 
 class TestBlind:
-    def test_nothing_is_known_until_the_frame_is_committed(
-        self, fitted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_nothing_is_known_until_the_frame_is_committed(self, fitted, qtbot):
         document = fitted.document
         document.camera_sources.set_active_camera(0)
         for name in ("cameras", "fit", "scores"):
@@ -693,9 +632,7 @@ class TestBlind:
         arrive(fitted, qtbot)
         assert document.judge.score is not None
 
-    def test_a_locked_dataset_is_blind_for_everybody(
-        self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_locked_dataset_is_blind_for_everybody(self, fitted, make_window, annotated, qtbot):
         fitted.actions_["lock_blind"].trigger()
         document = fitted.document
         assert document.state.blind
@@ -712,9 +649,7 @@ class TestBlind:
         assert again.document.live_fit.insight is None
         assert again.actions_["lock_blind"].isChecked()
 
-    def test_in_a_locked_dataset_no_fit_ever_guides_the_clicks(
-        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_in_a_locked_dataset_no_fit_ever_guides_the_clicks(self, fitted, annotated, qtbot):
         document = fitted.document
         fitted.panels.show("fit")
         document.camera_sources.load_cameras(annotated / "cameras" / "bad")
@@ -750,17 +685,13 @@ class TestBlind:
         arrive(fitted, qtbot)
         assert fitted.actions_["live_fit"].isChecked()
 
-    def test_the_choice_of_a_live_fit_outlives_a_locked_dataset(
-        self, fitted: MainWindow, make_window: MakeWindow, dataset: Path
-    ) -> None:
+    def test_the_choice_of_a_live_fit_outlives_a_locked_dataset(self, fitted, make_window, dataset):
         fitted.actions_["lock_blind"].trigger()
         assert not fitted.document.live_fit.wanted
         fitted.close()
         assert make_window(dataset).document.live_fit.wanted
 
-    def test_unlocking_asks_and_is_recorded(
-        self, fitted: MainWindow, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_unlocking_asks_and_is_recorded(self, fitted, monkeypatch):
         document = fitted.document
         fitted.actions_["lock_blind"].trigger()
         asked: list[str] = []
@@ -788,9 +719,7 @@ class TestBlind:
             (False, document.state.author),
         ]
 
-    def test_the_annotators_own_choice_comes_back_with_another_dataset(
-        self, fitted: MainWindow, dataset: Path
-    ) -> None:
+    def test_the_annotators_own_choice_comes_back_with_another_dataset(self, fitted, dataset):
         fitted.actions_["lock_blind"].trigger()
         assert fitted.document.state.blind
         assert fitted.document.opening.open_path(dataset)

@@ -1,13 +1,10 @@
 """The loupe shows the picture's own pixels at the cursor, clear of it, inside the viewport."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas.loupe import Loupe, magnify, place_beside, position_text
 from procc_annotator.gui.canvas.view import PictureView
@@ -38,7 +35,7 @@ class _Eye(QWidget):
 
 
 @pytest.fixture
-def viewport(qtbot: QtBot) -> _Eye:
+def viewport(qtbot) -> _Eye:
     widget = _Eye()
     qtbot.addWidget(widget)
     widget.resize(800, 600)
@@ -59,7 +56,7 @@ def _bgr(colour: QColor) -> list[int]:
 
 
 @pytest.mark.parametrize("at", [(80.0, 45.0), (80.3, 45.4), (79.6, 44.7), (80.49, 45.02)])
-def test_pixels_are_blocks_around_the_cursor(viewport: _Eye, at: tuple[float, float]) -> None:
+def test_pixels_are_blocks_around_the_cursor(viewport, at):
     pixels, loupe = _picture(), Loupe(viewport)
     loupe.show_at(QPointF(300, 300), at, pixels, NOTHING)
     image = _seen(loupe)
@@ -76,7 +73,7 @@ def test_pixels_are_blocks_around_the_cursor(viewport: _Eye, at: tuple[float, fl
         assert inside == {tuple(pixels[y, x, :3].tolist())}
 
 
-def test_outside_the_picture_it_is_dark(viewport: _Eye) -> None:
+def test_outside_the_picture_it_is_dark(viewport):
     loupe = Loupe(viewport)
     loupe.show_at(QPointF(300, 300), (0.0, 45.0), _picture(), NOTHING)
     image = _seen(loupe)
@@ -86,7 +83,7 @@ def test_outside_the_picture_it_is_dark(viewport: _Eye) -> None:
     assert _seen(loupe).pixelColor(150, 60).lightness() < 40
 
 
-def test_the_overlay_is_drawn_where_it_belongs_without_labels(viewport: _Eye) -> None:
+def test_the_overlay_is_drawn_where_it_belongs_without_labels(viewport):
     loupe = Loupe(viewport)
     overlay = Overlay(
         (Strokes(np.array([[60.0, 40.0, 100.0, 40.0]]), "#ff0000", 2.0),),
@@ -106,7 +103,7 @@ def test_the_overlay_is_drawn_where_it_belongs_without_labels(viewport: _Eye) ->
 
 
 @pytest.mark.parametrize("fraction", [-0.4, -0.1, 0.0, 0.22, 0.37, 0.5])
-def test_the_cross_marks_the_exact_position(viewport: _Eye, fraction: float) -> None:
+def test_the_cross_marks_the_exact_position(viewport, fraction):
     loupe = Loupe(viewport)
     halves = np.full((90, 160, 4), 100, dtype=np.uint8)
     halves[:, 83:] = 60  # an edge at 82.5
@@ -122,7 +119,7 @@ def test_the_cross_marks_the_exact_position(viewport: _Eye, fraction: float) -> 
 
 
 @pytest.mark.parametrize("ratio", [1.25, 1.5, 2.0])
-def test_blocks_are_even_on_fine_screens(ratio: float) -> None:
+def test_blocks_are_even_on_fine_screens(ratio):
     side, factor = round(200 * ratio), round(8 * ratio)
     pixels = _picture()
     part = magnify(pixels, (-600, -300), factor, side)
@@ -132,7 +129,7 @@ def test_blocks_are_even_on_fine_screens(ratio: float) -> None:
     np.testing.assert_array_equal(part[: (y < 90).sum(), : (x < 160).sum()], pixels[inside])
 
 
-def test_it_is_sharp_on_a_fine_screen(viewport: _Eye) -> None:
+def test_it_is_sharp_on_a_fine_screen(viewport):
     pixels, loupe = _picture(), Loupe(viewport)
     loupe.show_at(QPointF(300, 300), (80.3, 45.4), pixels, NOTHING)
     image = loupe.grab().toImage()
@@ -142,7 +139,7 @@ def test_it_is_sharp_on_a_fine_screen(viewport: _Eye) -> None:
     assert sum(colour not in known for colour in row) <= 6
 
 
-def test_the_text_and_border_are_readable_on_any_picture(viewport: _Eye) -> None:
+def test_the_text_and_border_are_readable_on_any_picture(viewport):
     loupe = Loupe(viewport)
     for value in (0, 120, 255):
         flat = np.full((90, 160, 4), value, dtype=np.uint8)
@@ -156,7 +153,7 @@ def test_the_text_and_border_are_readable_on_any_picture(viewport: _Eye) -> None
     assert position_text((987.3, -0.257)) == "987.30  −0.26 px"
 
 
-def test_the_mouse_goes_through(viewport: _Eye, qtbot: QtBot) -> None:
+def test_the_mouse_goes_through(viewport, qtbot):
     loupe = Loupe(viewport)
     loupe.show_at(QPointF(300, 300), (80.0, 45.0), _picture(), NOTHING)
     assert loupe.isVisible()
@@ -167,7 +164,7 @@ def test_the_mouse_goes_through(viewport: _Eye, qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize("room", [(800, 600), (500, 520), (300, 500), (460, 230), (1200, 300)])
-def test_it_never_covers_the_cursor_nor_leaves_the_room(room: tuple[int, int]) -> None:
+def test_it_never_covers_the_cursor_nor_leaves_the_room(room):
     size = QSize(200, 222)
     for x in range(0, room[0], 7):
         for y in range(0, room[1], 7):
@@ -180,7 +177,7 @@ def test_it_never_covers_the_cursor_nor_leaves_the_room(room: tuple[int, int]) -
             assert not box.adjusted(-20, -20, 20, 20).contains(QPoint(x, y))
 
 
-def test_it_prefers_below_right_and_flips_at_the_edges() -> None:
+def test_it_prefers_below_right_and_flips_at_the_edges():
     size, room = QSize(200, 222), QSize(800, 600)
     assert place_beside(QPointF(100, 100), size, room) == QPoint(128, 128)
     assert place_beside(QPointF(700, 100), size, room) == QPoint(472, 128)
@@ -188,7 +185,7 @@ def test_it_prefers_below_right_and_flips_at_the_edges() -> None:
     assert place_beside(QPointF(790, 590), size, room) == QPoint(562, 340)
 
 
-def test_without_room_it_hides_and_comes_back(viewport: _Eye) -> None:
+def test_without_room_it_hides_and_comes_back(viewport):
     loupe = Loupe(viewport)
     assert not loupe.isVisible()
     viewport.resize(220, 230)
@@ -201,7 +198,7 @@ def test_without_room_it_hides_and_comes_back(viewport: _Eye) -> None:
     assert not loupe.isVisible()
 
 
-def test_it_stays_in_place_when_the_view_scrolls(qtbot: QtBot) -> None:
+def test_it_stays_in_place_when_the_view_scrolls(qtbot):
     view = PictureView()
     qtbot.addWidget(view)
     view.resize(640, 480)
@@ -218,7 +215,7 @@ def test_it_stays_in_place_when_the_view_scrolls(qtbot: QtBot) -> None:
         assert loupe.pos() == before
 
 
-def test_it_shows_the_latest_of_many_moves(viewport: _Eye) -> None:
+def test_it_shows_the_latest_of_many_moves(viewport):
     loupe, pixels = Loupe(viewport), _picture()
     for step in range(5):
         loupe.show_at(QPointF(100 + step, 100), (60.0 + step, 45.0), pixels, NOTHING)

@@ -1,22 +1,15 @@
 """Lines are drawn first and named after; nothing of them is lost meanwhile."""
 
-from __future__ import annotations
-
 import json
-from pathlib import Path
 
 import numpy as np
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import KEPT, Hand, ReadPoints
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import KEPT, Hand
 
 UNKNOWN = "Line unknown"
 
@@ -46,9 +39,7 @@ def middle_of(window: MainWindow, name: str) -> list[tuple[float, float]]:
     return [(float(x) + 2.0, float(y) + 2.0) for x, y in chosen]
 
 
-def test_a_line_without_a_class_is_kept_and_named(
-    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
-) -> None:
+def test_a_line_without_a_class_is_kept_and_named(window, hand, qtbot, saved):
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120), (500, 130))
     assert len(saved(UNKNOWN)) == 3  # kept before anybody says what it is
     name = "Big rect. left main"
@@ -60,13 +51,10 @@ def test_a_line_without_a_class_is_kept_and_named(
     assert window.document.state.selected_class is None  # the next line is drawn first, too
 
 
-def test_two_points_are_no_curve_without_a_word(
-    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
-) -> None:
+def test_two_points_are_no_curve_without_a_word(window, hand, qtbot, saved):
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
     assert not window.canvas.editor.curved & set(offered(menu))
     circle = window.document.state.field.element("Circle central")
-    assert circle is not None
     QTest.keySequence(menu, circle.shortcut)
     assert len(saved("Circle central")) == 2
     assert "Centre circle is a curve" in window.document.state.told.text
@@ -75,9 +63,7 @@ def test_two_points_are_no_curve_without_a_word(
     assert len(saved("Circle central")) == 3
 
 
-def test_enter_takes_the_first(
-    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
-) -> None:
+def test_enter_takes_the_first(window, hand, qtbot, saved):
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
     assert len(offered(menu)) == 3
     name = offered(menu)[0]
@@ -85,9 +71,7 @@ def test_enter_takes_the_first(
     assert len(saved(name)) == 2
 
 
-def test_escape_leaves_it_as_it_is(
-    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
-) -> None:
+def test_escape_leaves_it_as_it_is(window, hand, qtbot, saved):
     QTest.keyClick(drawn(window, hand, qtbot, (100, 100), (300, 120)), Qt.Key.Key_Escape)
     assert len(saved(UNKNOWN)) == 2
     QTest.keyClick(drawn(window, hand, qtbot, (100, 200), (300, 220)), Qt.Key.Key_Escape)
@@ -95,9 +79,7 @@ def test_escape_leaves_it_as_it_is(
     assert len(saved(f"{UNKNOWN} (2)")) == 2
 
 
-def test_an_elements_key_names_the_line_under_way(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_an_elements_key_names_the_line_under_way(window, hand, saved):
     window.document.selecting.select_class(None)
     hand.click(100, 100)
     hand.click(300, 120)
@@ -109,9 +91,7 @@ def test_an_elements_key_names_the_line_under_way(
     assert len(saved(UNKNOWN)) == 0
 
 
-def test_a_frame_that_is_left_keeps_its_line(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_a_frame_that_is_left_keeps_its_line(window, hand, saved):
     window.document.selecting.select_class(None)
     hand.click(100, 100)
     hand.click(300, 120)
@@ -120,9 +100,7 @@ def test_a_frame_that_is_left_keeps_its_line(
     assert len(saved(UNKNOWN)) == 2
 
 
-def test_undo_takes_back_the_name_then_the_line(
-    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
-) -> None:
+def test_undo_takes_back_the_name_then_the_line(window, hand, qtbot, saved):
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
     name = offered(menu)[0]
     QTest.keyClick(menu, Qt.Key.Key_Return)
@@ -133,9 +111,7 @@ def test_undo_takes_back_the_name_then_the_line(
     assert len(saved(UNKNOWN)) == 0
 
 
-def test_where_a_camera_is_known_the_line_below_the_pen_comes_first(
-    begun: MainWindow, hand_on: type[Hand], qtbot: QtBot
-) -> None:
+def test_where_a_camera_is_known_the_line_below_the_pen_comes_first(begun, hand_on, qtbot):
     hand = hand_on(begun)
     names = [ghost.name for ghost in begun.document.ghosts.known][:4]
     assert len(names) == 4
@@ -147,7 +123,7 @@ def test_where_a_camera_is_known_the_line_below_the_pen_comes_first(
         qtbot.waitUntil(lambda: len(begun.document.ghosts.known) >= 4)
 
 
-def test_it_can_be_switched_off(window: MainWindow, hand: Hand) -> None:
+def test_it_can_be_switched_off(window, hand):
     window.actions_["draw_first"].trigger()
     window.document.selecting.select_class(None)
     hand.click(100, 100)
@@ -155,12 +131,9 @@ def test_it_can_be_switched_off(window: MainWindow, hand: Hand) -> None:
     assert "choose an element first" in window.status.hint.text_for(2000)
 
 
-def test_a_camera_known_from_few_clicks_names_every_line_in_sight(
-    begun: MainWindow, sample_data: Path
-) -> None:
+def test_a_camera_known_from_few_clicks_names_every_line_in_sight(begun, sample_data):
     """Also those that it knows too little of for a ghost, and while it is fitted anew."""
     size = begun.document.state.picture_size
-    assert size is not None
     truth = json.loads((sample_data / "00002.json").read_text())
     missing = [name for name in truth if name not in KEPT and len(truth[name]) > 1]
     assert len(missing) >= 5
@@ -169,9 +142,7 @@ def test_a_camera_known_from_few_clicks_names_every_line_in_sight(
         assert begun.naming._likely(points)[0] == name
 
 
-def test_without_a_camera_directions_and_named_neighbours_decide(
-    window: MainWindow, hand: Hand, qtbot: QtBot, sample_data: Path
-) -> None:
+def test_without_a_camera_directions_and_named_neighbours_decide(window, hand, qtbot, sample_data):
     """On a first frame, with nothing but two elements that have names."""
     document = window.document
     document.live_fit.set_wanted(False)

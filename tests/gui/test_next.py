@@ -1,7 +1,5 @@
 """One element is next, the same on the field map, in the picture, in the list and in the bar."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Callable
@@ -9,11 +7,9 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.element_states import WORDS
-from tests.gui.conftest import Hand
 
 MakeWindow = Callable[..., MainWindow]
 FRAMES = {".": ("00002", "00008"), "basketball": ("00001", "00004"), "volleyball": ("00001",)}
@@ -62,14 +58,7 @@ def told(window: MainWindow) -> dict[str, str | None]:
 
 @pytest.mark.parametrize("sample", FRAMES)
 @pytest.mark.parametrize("fewer", [1, 4])
-def test_it_is_the_same_everywhere(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    sample_data: Path,
-    tmp_path: Path,
-    sample: str,
-    fewer: int,
-) -> None:
+def test_it_is_the_same_everywhere(make_window, qtbot, sample_data, tmp_path, sample, fewer):
     folder = part_of(sample_data / sample, tmp_path / "part", FRAMES[sample], fewer)
     window = make_window(folder)
     document, seen = window.document, 0
@@ -92,18 +81,13 @@ def test_it_is_the_same_everywhere(
 
 
 def test_what_was_chosen_after_the_last_one_stays_the_next_until_it_is_drawn(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    sample_data: Path,
-    tmp_path: Path,
-    hand_on: Callable[[MainWindow], Hand],
-) -> None:
+    make_window, qtbot, sample_data, tmp_path, hand_on
+):
     folder = part_of(sample_data, tmp_path / "part", ("00002",), 4)
     window = make_window(folder)
     document, hand = window.document, hand_on(window)
     qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
     best = document.ghosts.suggestion
-    assert best is not None
     document.selecting.select_class(best.name)
     assert set(told(window).values()) == {document.state.field.title_of(best.name)}
     hand.click(600, 300)

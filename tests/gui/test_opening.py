@@ -1,7 +1,5 @@
 """What a window says and shows of a dataset when it opens it."""
 
-from __future__ import annotations
-
 import os
 import runpy
 import sys
@@ -9,19 +7,14 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QTableView
-from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.scores import WORST
 from procc_annotator.metrics.score import px_text
-from tests.gui.conftest import MakeWindow
 
 ROOT = Path(__file__).parents[2]
 
 
-def test_pictures_are_ordered_by_their_names_without_suffix(
-    dataset: Path, make_window: MakeWindow
-) -> None:
+def test_pictures_are_ordered_by_their_names_without_suffix(dataset, make_window):
     for old, new in zip(sorted(dataset.iterdir()), ("a10", "a", "a2"), strict=True):
         old.rename(dataset / f"{new}{old.suffix}")
     workspace = make_window(dataset).document.state.workspace
@@ -29,8 +22,8 @@ def test_pictures_are_ordered_by_their_names_without_suffix(
 
 
 def test_a_folder_that_cannot_be_written_is_told_of_before_work_begins(
-    dataset: Path, make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    dataset, make_window, monkeypatch
+):
     really = os.access
 
     def access(path: Path, mode: int) -> bool:
@@ -42,9 +35,7 @@ def test_a_folder_that_cannot_be_written_is_told_of_before_work_begins(
     assert window.message_bar.isVisible()
 
 
-def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(audited, qtbot):
     """Threshold and distance differ by less than a tenth: in the picture and in the table."""
     document = audited.document
     document.camera_sources.set_active_camera(1)
@@ -69,9 +60,7 @@ def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(
     qtbot.waitUntil(lambda: wanted in shown())
 
 
-def test_the_example_explains_itself_and_makes_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_example_explains_itself_and_makes_nothing(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", ["three_views.py", "--help"])
     with pytest.raises(SystemExit):
@@ -80,13 +69,7 @@ def test_the_example_explains_itself_and_makes_nothing(
     assert not list(tmp_path.iterdir())
 
 
-def test_the_sample_is_tried_on_a_copy(
-    window: MainWindow,
-    sample_copy: Path,
-    qtbot: QtBot,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_the_sample_is_tried_on_a_copy(window, sample_copy, qtbot, tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     monkeypatch.setattr(
         "procc_annotator.gui.commands.files.opening.sample_folder", lambda: sample_copy

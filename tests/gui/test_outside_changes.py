@@ -1,17 +1,13 @@
 """Files that other windows and programs write: the window's figures are those of the files."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from operator import attrgetter
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.evaluation import run_evaluation
@@ -21,10 +17,7 @@ from procc_annotator.formats.file_source import open_source
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.metrics.setup import EvaluationSetup
-from tests.gui.conftest import let_work_end, settle
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, let_work_end, settle
 
 HandOn = Callable[[MainWindow], "Hand"]
 TAU = 5.0
@@ -57,9 +50,7 @@ def row(window: MainWindow, index: int) -> RowInfo:
     return info
 
 
-def test_what_is_taken_back_counts_nowhere(
-    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
-) -> None:
+def test_what_is_taken_back_counts_nowhere(audited, annotated, hand_on, qtbot):
     path = annotated / "00005.json"
     audited.document.walk.go_to(4)
     settle(audited, qtbot)
@@ -74,9 +65,7 @@ def test_what_is_taken_back_counts_nowhere(
     assert shown(audited) == pytest.approx(before, abs=1e-6)
 
 
-def test_a_file_without_elements_counts_as_it_does_for_evaluate(
-    make_window: MakeWindow, annotated: Path, qtbot: QtBot
-) -> None:
+def test_a_file_without_elements_counts_as_it_does_for_evaluate(make_window, annotated, qtbot):
     (annotated / "00003.json").write_text("{}")
     window = make_window(annotated)
     window.document.live_fit.set_wanted(False)
@@ -95,8 +84,8 @@ def change(path: Path, keep: int) -> None:
 
 
 def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visited(
-    audited: MainWindow, annotated: Path, qtbot: QtBot
-) -> None:
+    audited, annotated, qtbot
+):
     document = audited.document
     row(audited, 5)
     qtbot.waitUntil(lambda: row(audited, 5).count not in (None, 3))
@@ -121,9 +110,7 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     assert len(document.state.annotation.annotated) > 2  # what was read is a step of the history
 
 
-def test_the_whole_set_follows_once_the_window_is_active_again(
-    audited: MainWindow, annotated: Path, qtbot: QtBot
-) -> None:
+def test_the_whole_set_follows_once_the_window_is_active_again(audited, annotated, qtbot):
     document = audited.document
     document.walk.go_to(2)
     document.walk.go_to(1)
@@ -144,9 +131,7 @@ def test_the_whole_set_follows_once_the_window_is_active_again(
     assert row(audited, 1).jac is None
 
 
-def test_a_file_in_the_middle_of_being_written_costs_no_history(
-    audited: MainWindow, annotated: Path, hand_on: HandOn
-) -> None:
+def test_a_file_in_the_middle_of_being_written_costs_no_history(audited, annotated, hand_on):
     document, path = audited.document, annotated / "00002.json"
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     whole = path.read_text()
@@ -166,9 +151,7 @@ def test_a_file_in_the_middle_of_being_written_costs_no_history(
     assert document.state.annotation != drawn
 
 
-def test_own_edits_that_are_not_saved_stay(
-    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
-) -> None:
+def test_own_edits_that_are_not_saved_stay(audited, annotated, hand_on, qtbot):
     change(annotated / "00002.json", 2)
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     change(annotated / "00002.json", 1)
@@ -180,17 +163,13 @@ def test_own_edits_that_are_not_saved_stay(
     assert not audited.conflict_bar.isHidden()
 
 
-def test_the_frame_on_screen_follows_its_file_at_once(
-    audited: MainWindow, annotated: Path, qtbot: QtBot
-) -> None:
+def test_the_frame_on_screen_follows_its_file_at_once(audited, annotated, qtbot):
     change(annotated / "00002.json", 2)
     qtbot.waitUntil(lambda: len(audited.document.state.annotation.annotated) == 2)
 
 
 @pytest.mark.parametrize("how", ["active again", "visited"])
-def test_cameras_written_anew_are_judged(
-    audited: MainWindow, annotated: Path, qtbot: QtBot, how: str
-) -> None:
+def test_cameras_written_anew_are_judged(audited, annotated, qtbot, how):
     cameras = annotated / "cameras"
     document = audited.document
     assert document.judge.score.jac == pytest.approx(1.0)
@@ -211,9 +190,7 @@ def test_cameras_written_anew_are_judged(
     assert document.judge.score.jac == pytest.approx(expected[document.state.frame.name])
 
 
-def test_a_frame_that_no_figure_counts_has_no_score(
-    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
-) -> None:
+def test_a_frame_that_no_figure_counts_has_no_score(audited, annotated, hand_on, qtbot):
     document, judged = audited.document, audited.top_bar.camera_bar
     audited.panels.show("scores")
     document.walk.go_to(4)

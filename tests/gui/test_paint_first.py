@@ -1,7 +1,5 @@
 """An edit is shown first, saved behind the interface, and judged for the set after the paint."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -9,12 +7,10 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QApplication, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset import editing
-from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import MakeWindow, all_done, settle
+from tests.gui.conftest import all_done, settle
 
 FRAME = 1  # of the sample, annotated and with a camera in every source
 
@@ -31,7 +27,7 @@ def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:
     return [point["x"] for point in entries[class_name]]
 
 
-def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtbot: QtBot) -> None:
+def test_an_edit_is_shown_before_it_is_saved_and_judged(audited, qtbot):
     document, order = audited.document, []
     document.store.watch(lambda s: s.annotation, lambda: order.append("shown"))
     document.saver.saved.connect(lambda: order.append("saved"))
@@ -43,9 +39,7 @@ def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtb
     assert audited.top_bar.saved.text().startswith("saved ")
 
 
-def test_leaving_right_after_an_edit_judges_what_was_left(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_leaving_right_after_an_edit_judges_what_was_left(audited, qtbot):
     document = audited.document
     name, before = (
         document.state.frame.name,
@@ -61,9 +55,7 @@ def test_leaving_right_after_an_edit_judges_what_was_left(
     settle(audited, qtbot)
 
 
-def test_closing_right_after_an_edit_or_an_undo_loses_nothing(
-    make_window: MakeWindow, annotated: Path
-) -> None:
+def test_closing_right_after_an_edit_or_an_undo_loses_nothing(make_window, annotated):
     window = make_window(annotated)
     document = window.document
     document.walk.go_to(FRAME)
@@ -80,9 +72,7 @@ def test_closing_right_after_an_edit_or_an_undo_loses_nothing(
     assert on_disk(annotated, frame, polyline.class_name) == moved
 
 
-def test_an_undo_is_one_step_and_draws_the_overlay_once(
-    audited: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_undo_is_one_step_and_draws_the_overlay_once(audited, qtbot, monkeypatch):
     document, canvas = audited.document, audited.canvas
     document.editing.commit_edit("nudge", nudged(document.state.annotation))
     settle(audited, qtbot)
@@ -111,7 +101,7 @@ class Layouts(QObject):
         return False
 
 
-def test_a_text_in_a_bar_does_not_lay_out_the_window(audited: MainWindow, qtbot: QtBot) -> None:
+def test_a_text_in_a_bar_does_not_lay_out_the_window(audited, qtbot):
     settle(audited, qtbot)
     status, saved, layouts = audited.status, audited.top_bar.saved, Layouts(audited)
     saved.set_saved("saving...", alarm=False)
@@ -144,9 +134,7 @@ class Painted(QObject):
         return False
 
 
-def test_an_edit_is_painted_before_anything_that_waits_its_turn(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_an_edit_is_painted_before_anything_that_waits_its_turn(audited, qtbot):
     settle(audited, qtbot)
     document, canvas, later = audited.document, audited.canvas, QTimer(singleShot=True, interval=0)
     painted = Painted(canvas.viewport())
@@ -161,7 +149,7 @@ def test_an_edit_is_painted_before_anything_that_waits_its_turn(
     settle(audited, qtbot)
 
 
-def test_one_row_of_the_frames_is_painted_for_one_frame(audited: MainWindow, qtbot: QtBot) -> None:
+def test_one_row_of_the_frames_is_painted_for_one_frame(audited, qtbot):
     all_done(qtbot)  # thumbnails, marks and the label check paint rows when they come
     check, rows = audited.document.label_check, audited.frames.list
     painted = Painted(rows.viewport())

@@ -1,20 +1,13 @@
 """View > Painted width: borders of the paint beside the projection, in the window and in files."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
 import cv2
 import numpy as np
 import pytest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import CameraError
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import maps
 from tests.gui.conftest import let_work_end
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 
 def borders(window: MainWindow) -> int:
@@ -23,7 +16,7 @@ def borders(window: MainWindow) -> int:
 
 
 @pytest.fixture
-def judged(make_window, annotated: Path) -> MainWindow:
+def judged(make_window, annotated) -> MainWindow:
     window = make_window(annotated)
     window.document.live_fit.set_wanted(False)
     assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
@@ -31,7 +24,7 @@ def judged(make_window, annotated: Path) -> MainWindow:
     return window
 
 
-def test_it_is_drawn_on_demand_and_follows(judged: MainWindow, qtbot: QtBot) -> None:
+def test_it_is_drawn_on_demand_and_follows(judged, qtbot):
     document, action = judged.document, judged.actions_["painted_width"]
     assert borders(judged) == 0
     action.trigger()
@@ -53,7 +46,7 @@ def test_it_is_drawn_on_demand_and_follows(judged: MainWindow, qtbot: QtBot) -> 
     assert borders(judged) == 0
 
 
-def test_it_is_remembered(judged: MainWindow, make_window, qtbot: QtBot) -> None:
+def test_it_is_remembered(judged, make_window, qtbot):
     judged.actions_["painted_width"].trigger()
     judged.close()
     again = make_window()
@@ -61,7 +54,7 @@ def test_it_is_remembered(judged: MainWindow, make_window, qtbot: QtBot) -> None
     assert again.document.painted_width.enabled
 
 
-def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qtbot: QtBot) -> None:
+def test_the_borders_lie_on_the_edges_of_the_painted_line(judged, qtbot):
     """The sample is drawn with lines of the width that the field says."""
     judged.actions_["painted_width"].trigger()
     document = judged.document
@@ -82,9 +75,7 @@ def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qt
     assert grey[0] > grey[1] + 20  # white between the borders, grass beyond
 
 
-def test_what_failed_is_tried_again(
-    judged: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_failed_is_tried_again(judged, qtbot, monkeypatch):
     document, told, tried = judged.document, [], []
     document.store.events.message.connect(lambda m: told.append(m.text))
 

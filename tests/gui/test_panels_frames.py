@@ -1,7 +1,5 @@
 """The list of frames: opens at once whatever its length, filters, follows, shows what is done."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -10,7 +8,6 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import QModelIndex, Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.dataset.records import Status
@@ -20,12 +17,9 @@ from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
 
-# The offscreen platform says so of every window that has a smallest size.
-pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)
-
 
 @pytest.fixture
-def frames(tmp_path: Path) -> Path:
+def frames(tmp_path) -> Path:
     for i in range(1, 13):
         picture = np.full((36, 64, 3), 10 * i, dtype=np.uint8)
         cv2.imwrite(str(tmp_path / f"match {i}.png"), picture)
@@ -36,7 +30,7 @@ def frames(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def document(qapp: object, frames: Path) -> Iterator[Document]:
+def document(qapp, frames) -> Iterator[Document]:
     document = Document()
     assert document.opening.open_path(frames)
     yield document
@@ -44,7 +38,7 @@ def document(qapp: object, frames: Path) -> Iterator[Document]:
 
 
 @pytest.fixture
-def panel(qtbot: QtBot, document: Document) -> FramesPanel:
+def panel(qtbot, document) -> FramesPanel:
     panel = FramesPanel(document, document.cache)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
@@ -64,7 +58,7 @@ def _known(panel: FramesPanel, row: int) -> bool:
     return info.thumbnail is not None and (info.count is not None or bool(info.unreadable))
 
 
-def test_rows_fill_in_behind(qtbot: QtBot, panel: FramesPanel) -> None:
+def test_rows_fill_in_behind(qtbot, panel):
     qtbot.waitUntil(lambda: all(_known(panel, row) for row in range(5)))
     assert [_info(panel, row).name for row in range(3)] == ["match 1", "match 2", "match 3"]
     assert _info(panel, 0).count == 0
@@ -72,12 +66,11 @@ def test_rows_fill_in_behind(qtbot: QtBot, panel: FramesPanel) -> None:
     assert _info(panel, 2).unreadable
     assert _info(panel, 3).unreadable
     thumbnail = _info(panel, 4).thumbnail
-    assert thumbnail is not None
     assert thumbnail.width() == 64
     assert thumbnail.pixelColor(3, 3).red() == 50
 
 
-def test_pictures_come_from_the_top_down(qtbot: QtBot, document: Document, frames: Path) -> None:
+def test_pictures_come_from_the_top_down(qtbot, document, frames):
     """As far as they are painted together, which is not for a test to say of a whole list."""
     thumbnails = Thumbnails(document.cache, document)
     rows = [frames / f"match {i}.png" for i in range(1, 9)]
@@ -89,9 +82,7 @@ def test_pictures_come_from_the_top_down(qtbot: QtBot, document: Document, frame
     assert [path for batch in came for path in batch] == rows
 
 
-def test_a_click_goes_to_the_frame_and_the_list_follows(
-    qtbot: QtBot, panel: FramesPanel, document: Document
-) -> None:
+def test_a_click_goes_to_the_frame_and_the_list_follows(qtbot, panel, document):
     rect = panel.list.visualRect(panel.model.index(4, 0))
     qtbot.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
     assert document.state.frame_index == 4
@@ -104,7 +95,7 @@ def test_a_click_goes_to_the_frame_and_the_list_follows(
     )
 
 
-def test_the_filter_narrows_by_name(qtbot: QtBot, panel: FramesPanel, document: Document) -> None:
+def test_the_filter_narrows_by_name(qtbot, panel, document):
     qtbot.keyClicks(panel.filter, "MATCH 1")
     assert panel.model.rowCount() == 4
     assert panel.count.text() == "4 of 12 frames"
@@ -122,9 +113,7 @@ def test_the_filter_narrows_by_name(qtbot: QtBot, panel: FramesPanel, document: 
     assert panel.list.currentIndex().row() == 5
 
 
-def test_enter_in_the_filter_goes_to_the_first_match(
-    qtbot: QtBot, panel: FramesPanel, document: Document
-) -> None:
+def test_enter_in_the_filter_goes_to_the_first_match(qtbot, panel, document):
     qtbot.keyClicks(panel.filter, "12")
     qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
     assert document.state.frame_index == 11
@@ -133,14 +122,14 @@ def test_enter_in_the_filter_goes_to_the_first_match(
     assert panel.list.currentIndex().row() == 11
 
 
-def test_an_edit_is_counted(qtbot: QtBot, panel: FramesPanel, document: Document) -> None:
+def test_an_edit_is_counted(qtbot, panel, document):
     qtbot.waitUntil(lambda: _known(panel, 0))
     line = Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2)))
     document.editing.commit_edit("draw", FrameAnnotation((line,)))
     qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
 
 
-def test_without_frames_the_panel_says_what_to_do(qtbot: QtBot, qapp: object) -> None:
+def test_without_frames_the_panel_says_what_to_do(qtbot, qapp):
     document = Document()
     panel = FramesPanel(document, document.cache)
     qtbot.addWidget(panel)
@@ -150,8 +139,8 @@ def test_without_frames_the_panel_says_what_to_do(qtbot: QtBot, qapp: object) ->
 
 
 def test_of_twenty_thousand_frames_only_those_on_show_are_looked_at(
-    qtbot: QtBot, tmp_path: Path, qapp: object, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    qtbot, tmp_path, qapp, monkeypatch
+):
     first = tmp_path / "00000.png"
     cv2.imwrite(str(first), np.zeros((4, 4, 3), dtype=np.uint8))
     for i in range(1, 20_000):
@@ -182,14 +171,12 @@ def _noting(original: Callable[..., Any], asked: set[int]) -> Callable[..., Any]
     return call
 
 
-def test_the_status_is_not_cut_for_the_number_of_elements() -> None:
+def test_the_status_is_not_cut_for_the_number_of_elements():
     row = RowInfo("a", None, 12, "", False, None, status=Status.IN_PROGRESS)
     assert row_words(row, False) == ["in progress · 12", "in progress", "12"]
 
 
-def test_what_is_drawn_right_before_a_frame_is_left_is_counted(
-    qtbot: QtBot, panel: FramesPanel, document: Document
-) -> None:
+def test_what_is_drawn_right_before_a_frame_is_left_is_counted(qtbot, panel, document):
     qtbot.waitUntil(lambda: _known(panel, 0))
     assert _info(panel, 0).count == 0
     line = Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9)))

@@ -1,7 +1,5 @@
 """A few letters find the element that is meant."""
 
-from __future__ import annotations
-
 import pytest
 
 from procc_annotator.field.load import load_field
@@ -28,32 +26,32 @@ def _ranks(query: str) -> dict[str, int]:
         ("CROSSBAR R", "Goal right crossbar"),
     ],
 )
-def test_letters_find_the_element(query: str, expected: str) -> None:
+def test_letters_find_the_element(query, expected):
     ranks = _ranks(query)
     assert min(ranks, key=ranks.__getitem__) == expected
 
 
 @pytest.mark.parametrize("query", ["xyz", "crossbar middle"])
-def test_what_fits_nothing_finds_nothing(query: str) -> None:
+def test_what_fits_nothing_finds_nothing(query):
     assert not _ranks(query)
 
 
 @pytest.mark.parametrize("query", ["", "  "])
-def test_no_letters_fit_all_alike(query: str) -> None:
+def test_no_letters_fit_all_alike(query):
     assert set(_ranks(query).values()) == {0}
 
 
-def test_better_fits_come_first() -> None:
+def test_better_fits_come_first():
     exact = match_rank("goal", "goal")
     start = match_rank("goal", "goal line")
     words = match_rank("goal", "left goal")
     inside = match_rank("goal", "megagoal")
     assert None not in (exact, start, words, inside)
-    assert exact < start < words < inside  # type: ignore[operator]
+    assert exact < start < words < inside
     assert match_rank("goal", "line") is None
 
 
-def test_goals_lie_outside_the_field_and_can_be_told_apart() -> None:
+def test_goals_lie_outside_the_field_and_can_be_told_apart():
     shape = FieldShape.of(load_field("soccer"))
     left, top, right, bottom = shape.bounds
     assert left < -52.5 < 52.5 < right

@@ -1,7 +1,5 @@
 """The plots of the real window: what they show, where a click leads, what can be taken along."""
 
-from __future__ import annotations
-
 import csv
 import io
 from dataclasses import replace
@@ -13,7 +11,6 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPainter, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.formats.cameras.fit_record import FitCounts
@@ -25,20 +22,20 @@ from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
 from procc_annotator.gui.panels.plots.legend import dash_of, symbol_of
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
-from tests.gui.conftest import MakeWindow, all_done
+from tests.gui.conftest import all_done
 
 SETS = ("true", "bad", "homography")
 PAGES = (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
 
 @pytest.fixture
-def sample(annotated: Path) -> Path:
+def sample(annotated) -> Path:
     """A few frames; classes that need the whole sample have it."""
     return annotated
 
 
 @pytest.fixture
-def plotted(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
+def plotted(make_window, sample, qtbot) -> MainWindow:
     """The window on the sample, three sources audited, "bad" active, the plots open; no fit."""
     window = make_window(sample)
     window.document.live_fit.set_wanted(False)
@@ -93,12 +90,10 @@ def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]
 
 class TestTimeline:
     @pytest.fixture
-    def sample(self, sample_copy: Path) -> Path:
+    def sample(self, sample_copy) -> Path:
         return sample_copy
 
-    def test_a_click_shows_the_frame_and_the_mark_follows(
-        self, plotted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_click_shows_the_frame_and_the_mark_follows(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         page = plotted.plots.page
         for number in (7, 3, 12):
@@ -108,9 +103,7 @@ class TestTimeline:
         plotted.document.walk.go_to(0)
         qtbot.waitUntil(lambda: page.here.value() == 1)
 
-    def test_it_shows_every_score_and_gaps(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_it_shows_every_score_and_gaps(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, TimelinePage)
         document = plotted.document
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
@@ -126,7 +119,7 @@ class TestTimeline:
         drawn = {s.name: values for s, values, *_ in plotted.plots.page._lines}
         assert np.isnan(drawn["bad"]).sum() == 14 - len(document.state.sources[1].audits) > 0
 
-    def test_hovering_tells_frame_and_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_hovering_tells_frame_and_values(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         hover_at(plotted.plots.page, 2.1)
         said = plotted.plots.notes.text()
@@ -136,7 +129,7 @@ class TestTimeline:
         hover_at(plotted.plots.page, 5.0)  # nobody annotated it
         assert "bad –" in plotted.plots.notes.text()
 
-    def test_another_tau_gives_other_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_another_tau_gives_other_values(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         plotted.document.terms.set_tau(20.0)
         settle(plotted, qtbot)
@@ -148,12 +141,10 @@ class TestTimeline:
 
 class TestTau:
     @pytest.fixture
-    def sample(self, sample_copy: Path) -> Path:
+    def sample(self, sample_copy) -> Path:
         return sample_copy
 
-    def test_the_frames_curves_and_the_line_that_can_be_dragged(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_the_frames_curves_and_the_line_that_can_be_dragged(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, TauPage, "frame")
         document, page = plotted.document, plotted.plots.page
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
@@ -165,9 +156,7 @@ class TestTau:
         page.line.sigDragged.emit(page.line)
         assert document.state.tau == 8.0
 
-    def test_the_sets_curve_is_the_mean(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_the_sets_curve_is_the_mean(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, TauPage, "set")
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         audits = plotted.document.state.sources[1].audits
@@ -178,9 +167,7 @@ class TestTau:
         assert "95 % bands" in plotted.plots.notes.text() + plotted.plots.notes.toolTip()
         assert f"bad ({len(audits)} of 14)" in plotted.plots.legend.text
 
-    def test_bands_rest_on_the_datasets_table_of_frames(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_bands_rest_on_the_datasets_table_of_frames(self, plotted, qtbot, tmp_path):
         """Names 00001 to 00014 are one shot; the table says that they are of three."""
         show(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
@@ -197,9 +184,7 @@ class TestTau:
         assert alone[at]["jac bad"] == clustered[at]["jac bad"]
         assert alone[at]["high bad"] != clustered[at]["high bad"]
 
-    def test_a_table_of_frames_that_is_damaged_is_said_and_names_tell(
-        self, plotted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_table_of_frames_that_is_damaged_is_said_and_names_tell(self, plotted, qtbot):
         (plotted.document.state.workspace.folder / "frames.csv").write_text(
             "frame,shot\n1,a\n1,a\n"
         )
@@ -208,7 +193,7 @@ class TestTau:
         assert "Shots are told by names, since" in said(plotted)
         assert "line 3: frame '1' again" in said(plotted)
 
-    def test_an_edit_is_seen_at_once(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_an_edit_is_seen_at_once(self, plotted, qtbot):
         show(plotted, qtbot, TauPage, "frame")
         document = plotted.document
         before = plotted.plots._data.curves[1].copy()
@@ -219,7 +204,7 @@ class TestTau:
 
 
 class TestErrors:
-    def test_the_bars_count_every_point(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_the_bars_count_every_point(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
         document = plotted.document
         for source, counts in zip(
@@ -228,7 +213,7 @@ class TestErrors:
             points = sum(len(audit.errors_px) for audit in source.audits.values())
             assert counts.sum() == points > 0
 
-    def test_one_class_only(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_one_class_only(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
         panel, document = plotted.plots, plotted.document
         row = document.state.field.index["Middle line"]
@@ -245,9 +230,7 @@ class TestErrors:
             < sum(len(a.errors_px) for a in document.state.sources[0].audits.values())
         )
 
-    def test_the_numbers_of_a_frame_are_its_points(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_the_numbers_of_a_frame_are_its_points(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, VectorsPage, "frame")
         rows = [r for r in numbers(plotted, qtbot, tmp_path / "p.csv") if r["source"] == "bad"]
         labelling = plotted.document.judge.score.labelling
@@ -259,9 +242,7 @@ class TestErrors:
                 float(row["error_px"]), abs=1e-4
             )
 
-    def test_arrows_end_on_the_projection_and_can_be_drawn_longer(
-        self, plotted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_arrows_end_on_the_projection_and_can_be_drawn_longer(self, plotted, qtbot):
         show(plotted, qtbot, VectorsPage, "frame")
         page = plotted.plots.page
         page.factor.setCurrentIndex(page.factor.findData(10))
@@ -274,9 +255,7 @@ class TestErrors:
         assert "10 times" in plotted.plots.notes.text()
 
     @pytest.mark.parametrize("scope", ["frame", "set"])
-    def test_numbers_of_residuals_are_those_of_every_point(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, scope: str
-    ) -> None:
+    def test_numbers_of_residuals_are_those_of_every_point(self, plotted, qtbot, tmp_path, scope):
         show(plotted, qtbot, VectorsPage, scope)
         rows = numbers(plotted, qtbot, tmp_path / "p.csv")
         points = plotted.plots._data.points
@@ -288,9 +267,7 @@ class TestErrors:
 
 
 class TestWords:
-    def test_without_cameras_and_frames_it_says_what_to_do(
-        self, make_window: MakeWindow, sample: Path, qtbot: QtBot
-    ) -> None:
+    def test_without_cameras_and_frames_it_says_what_to_do(self, make_window, sample, qtbot):
         window = make_window()
         window.panels.show("plots")
         qtbot.waitUntil(lambda: "Open a folder" in window.plots.empty.text())
@@ -299,14 +276,14 @@ class TestWords:
         qtbot.waitUntil(lambda: "Load cameras" in window.plots.empty.text())
         assert not window.plots.more.isEnabled()
 
-    def test_a_frame_without_score_says_so(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_a_frame_without_score_says_so(self, plotted, qtbot):
         plotted.document.walk.go_to(4)  # nothing is annotated
         for page in (TauPage, HistogramPage, VectorsPage):
             show(plotted, qtbot, page, "frame")
             assert plotted.plots.page.is_empty
             assert plotted.plots.page.empty.text()
 
-    def test_hidden_sources_are_not_plotted(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_hidden_sources_are_not_plotted(self, plotted, qtbot):
         show(plotted, qtbot, TauPage)
         assert "homography" in plotted.plots.legend.text
         plotted.document.camera_sources.set_source_visible(plotted.document.state.sources[2], False)
@@ -315,9 +292,7 @@ class TestWords:
 
 
 class TestBlind:
-    def test_nothing_of_the_camera_shows_until_a_frame_is_committed(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_nothing_of_the_camera_shows_until_a_frame_is_committed(self, plotted, qtbot, tmp_path):
         plotted.document.blind_lock.set_blind(True)
         for page in PAGES:
             for scope in ("frame", "set"):
@@ -338,9 +313,7 @@ class TestBlind:
 
 class TestTakingAlong:
     @pytest.mark.parametrize("page", PAGES)
-    def test_pictures_and_numbers_of_every_plot(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, page: type
-    ) -> None:
+    def test_pictures_and_numbers_of_every_plot(self, plotted, qtbot, tmp_path, page):
         for scope in ("frame", "set"):
             show(plotted, qtbot, page, scope)
             png, svg = tmp_path / f"{scope}.png", tmp_path / f"{scope}.svg"
@@ -355,16 +328,14 @@ class TestTakingAlong:
             assert "bad" in text
             assert numbers(plotted, qtbot, tmp_path / f"{scope}.csv")
 
-    def test_the_clipboard(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_the_clipboard(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
         plotted.plots.copy_numbers()
         qtbot.waitUntil(lambda: "points bad" in QGuiApplication.clipboard().text())
         plotted.plots.copy_picture()
         assert not QGuiApplication.clipboard().image().isNull()
 
-    def test_another_plots_numbers_are_never_taken_for_this_ones(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_another_plots_numbers_are_never_taken_for_this_ones(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, HistogramPage)
         show(plotted, qtbot, TimelinePage)
         plotted.plots.choose(HistogramPage.title)
@@ -374,7 +345,7 @@ class TestTakingAlong:
         settle(plotted, qtbot)
         assert "points bad" in numbers(plotted, qtbot, tmp_path / "x.csv")[0]
 
-    def test_what_cannot_be_written_is_told(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_what_cannot_be_written_is_told(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
         with qtbot.waitSignal(plotted.document.store.events.message) as told:
             plotted.plots.save_numbers(Path("/proc/no such folder/x.csv"))
@@ -385,18 +356,16 @@ class TestTakingAlong:
 class TestLooks:
     @pytest.mark.parametrize("dark", [False, True])
     @pytest.mark.parametrize("colour", SOURCE_COLOURS)
-    def test_every_source_is_seen_on_both_themes(self, colour: str, dark: bool) -> None:
+    def test_every_source_is_seen_on_both_themes(self, colour, dark):
         palette = theme.palette(dark)
         base = palette.color(QPalette.ColorRole.Base)
         assert contrast(readable(colour, palette), base) >= 3.0
 
-    def test_contrast_is_that_of_the_standard(self) -> None:
+    def test_contrast_is_that_of_the_standard(self):
         assert contrast(QColor("#ffffff"), QColor("#000000")) == pytest.approx(21.0)
         assert contrast(QColor("#777777"), QColor("#ffffff")) == pytest.approx(4.48, abs=0.01)
 
-    def test_axes_follow_the_theme(
-        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication
-    ) -> None:
+    def test_axes_follow_the_theme(self, plotted, qtbot, qapp):
         before = qapp.palette()
         show(plotted, qtbot, HistogramPage)
         try:
@@ -409,9 +378,7 @@ class TestLooks:
         finally:
             qapp.setPalette(before)
 
-    def test_the_ground_follows_the_theme(
-        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication
-    ) -> None:
+    def test_the_ground_follows_the_theme(self, plotted, qtbot, qapp):
         before = qapp.palette()
         show(plotted, qtbot, HistogramPage)
         view = plotted.plots.page.view
@@ -426,9 +393,7 @@ class TestLooks:
         finally:
             qapp.setPalette(before)
 
-    def test_pyqtgraph_waits_until_the_plots_are_looked_at(
-        self, make_window: MakeWindow, sample: Path, qtbot: QtBot
-    ) -> None:
+    def test_pyqtgraph_waits_until_the_plots_are_looked_at(self, make_window, sample, qtbot):
         window = make_window(sample)
         window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
         qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
@@ -438,7 +403,7 @@ class TestLooks:
         qtbot.waitUntil(lambda: bool(window.plots._made))
 
 
-def test_a_request_gives_the_frames_in_the_order_of_the_set(qapp: QApplication) -> None:
+def test_a_request_gives_the_frames_in_the_order_of_the_set(qapp):
     class Audit:
         def __init__(self, frame: str) -> None:
             self.frame = frame
@@ -452,7 +417,7 @@ def test_a_request_gives_the_frames_in_the_order_of_the_set(qapp: QApplication) 
 class TestWithoutColour:
     """Colour is never the only sign of a source."""
 
-    def test_no_two_of_many_sources_look_the_same(self) -> None:
+    def test_no_two_of_many_sources_look_the_same(self):
         sources = [
             PlottedSource(str(i), SOURCE_COLOURS[i % len(SOURCE_COLOURS)], i, {}) for i in range(24)
         ]
@@ -462,9 +427,7 @@ class TestWithoutColour:
             some = sources[first : first + 6]
             assert len({dash_of(s) for s in some}) == len({symbol_of(s) for s in some}) == 6
 
-    def test_lines_too_dense_for_dashes_have_symbols_here_and_there(
-        self, plotted: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_lines_too_dense_for_dashes_have_symbols_here_and_there(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         page = plotted.plots.page
         audits = plotted.document.state.active.audits
@@ -484,13 +447,13 @@ class TestWithoutColour:
             places.append(set(x))
         assert not places[0] & places[1]
 
-    def test_the_legend_marks_a_fit_to_these_clicks(self, plotted: MainWindow) -> None:
+    def test_the_legend_marks_a_fit_to_these_clicks(self, plotted):
         legend = plotted.plots.legend
         source = PlottedSource("fit", "#ff0000", 0, {}, fitted=FitCounts(1))
         legend.show_sources([(source, "(3 of 14)")])
         assert legend.text == "fit (fitted on these clicks) (3 of 14)"
 
-    def test_the_legend_shows_the_symbol(self, plotted: MainWindow, qtbot: QtBot) -> None:
+    def test_the_legend_shows_the_symbol(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         legend = plotted.plots.legend
 

@@ -1,20 +1,16 @@
 """Cameras that are found without a click: their ghosts, what is said of them, what they may do."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from pathlib import Path
 from threading import Event
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.calibration.result import FitResult, external_camera_fit
 from procc_annotator.calibration.single_image.proposal import Proposal, ProposalState
-from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import ImageError
@@ -24,9 +20,6 @@ from procc_annotator.gui.state.prediction import proposals
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from tests.gui.conftest import Hand, all_done, until_kept
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import MakeWindow
 
 Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
 
@@ -51,28 +44,26 @@ class Finder:
             none = FitResult("R", size, None, self.reason)
             return Proposal("none", self.reason, none, 0.0, 0.0, None, 0.0, None)
         found = self.cameras.camera(self.frame, size)
-        assert found is not None
-        assert isinstance(found.camera, PinholeCamera)
         fit = external_camera_fit(found.camera, size)
         return Proposal(self.state, self.reason, fit, 0.94, 0.9, 0.4, 0.3, None)
 
 
 @pytest.fixture
-def finder(annotated: Path, monkeypatch: pytest.MonkeyPatch) -> Finder:
+def finder(annotated, monkeypatch) -> Finder:
     found = Finder(annotated)
     monkeypatch.setattr(proposals, "propose_camera", found)
     return found
 
 
 @pytest.fixture
-def bare(annotated: Path) -> Path:
+def bare(annotated) -> Path:
     """The sample; nothing is annotated in its second frame."""
     (annotated / "00002.json").unlink()
     return annotated
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot) -> MainWindow:
+def window(make_window, bare, finder, qtbot) -> MainWindow:
     made = make_window(bare)
     made.document.walk.go_to(1)
     all_done(qtbot)
@@ -94,18 +85,14 @@ def entries(folder: Path) -> dict[str, Any]:
 
 
 class TestAFrameWithoutAnnotation:
-    def test_shows_ghosts_without_a_click_and_says_how_sure(
-        self, window: MainWindow, finder: Finder
-    ) -> None:
+    def test_shows_ghosts_without_a_click_and_says_how_sure(self, window, finder):
         assert len(ghosts(window)) > 5
         plate = window.canvas.found_plate
         assert plate.isVisible()
         assert plate.text == f"Camera found, sure: {finder.reason}"
         assert tones.GHOST in tones_of(window)
 
-    def test_a_long_reason_is_said_whole_in_a_narrow_window(
-        self, window: MainWindow, finder: Finder
-    ) -> None:
+    def test_a_long_reason_is_said_whole_in_a_narrow_window(self, window, finder):
         plate = window.canvas.found_plate
         one_line = plate.wanted_size().height()
         for text in ("short", "a", finder.reason, "not long either"):
@@ -119,16 +106,14 @@ class TestAFrameWithoutAnnotation:
         assert plate.height() > one_line * 1.3
         assert plate.geometry().bottom() < window.canvas.viewport().height()
 
-    def test_nothing_is_saved_before_somebody_accepts(self, window: MainWindow, bare: Path) -> None:
+    def test_nothing_is_saved_before_somebody_accepts(self, window, bare):
         window.document.walk.next_frame()
         window.document.walk.previous_frame()
 
         assert entries(bare) == {}
         assert [source.name for source in window.document.state.sources] == []
 
-    def test_unsure_cameras_look_unsure(
-        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
-    ) -> None:
+    def test_unsure_cameras_look_unsure(self, make_window, bare, finder, qtbot):
         finder.state, finder.reason = "unsure", "another camera fits nearly as well"
         window = make_window(bare)
         window.document.walk.go_to(1)
@@ -137,9 +122,7 @@ class TestAFrameWithoutAnnotation:
         assert tones.UNSURE_GHOST in tones_of(window)
         assert window.canvas.found_plate.text.startswith("Camera found, unsure: another camera")
 
-    def test_without_a_camera_the_reason_is_said(
-        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot, hand_on: Any
-    ) -> None:
+    def test_without_a_camera_the_reason_is_said(self, make_window, bare, finder, qtbot, hand_on):
         finder.state, finder.reason = "none", "no paint of this field was found"
         window = make_window(bare)
         window.document.walk.go_to(1)
@@ -149,8 +132,8 @@ class TestAFrameWithoutAnnotation:
         assert window.canvas.found_plate.text == f"No camera found: {finder.reason}"
 
     def test_every_frame_is_looked_at_once_and_its_neighbours_before_they_are_come_to(
-        self, window: MainWindow, finder: Finder, qtbot: QtBot
-    ) -> None:
+        self, window, finder, qtbot
+    ):
         assert finder.asked == 1  # the neighbours are annotated
 
         for step in (1, -1, 1, -1):
@@ -160,8 +143,8 @@ class TestAFrameWithoutAnnotation:
         assert finder.asked == 1
 
     def test_a_search_that_fails_is_over_and_the_next_frame_is_looked_at(
-        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot, monkeypatch: Any
-    ) -> None:
+        self, make_window, bare, finder, qtbot, monkeypatch
+    ):
         (bare / "00001.json").unlink()
 
         def fails(picture: PixelArray, *args: Any, **more: Any) -> Proposal:
@@ -176,9 +159,7 @@ class TestAFrameWithoutAnnotation:
         assert not window.canvas.found_plate.isVisible()
         assert finder.asked == 2
 
-    def test_leaving_the_frame_stops_the_search(
-        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
-    ) -> None:
+    def test_leaving_the_frame_stops_the_search(self, make_window, bare, finder, qtbot):
         finder.wait = Event()
         window = make_window(bare)
         window.document.walk.go_to(1)
@@ -193,8 +174,8 @@ class TestAFrameWithoutAnnotation:
 
 class TestAccepting:
     def test_all_of_them_is_one_step_and_bears_where_it_came_from(
-        self, window: MainWindow, bare: Path, hand_on: Any, qtbot: QtBot
-    ) -> None:
+        self, window, bare, hand_on, qtbot
+    ):
         hand: Hand = hand_on(window)
         document = window.document
 
@@ -204,7 +185,6 @@ class TestAccepting:
         assert len(entries(bare)) > 5
         counts = document.review.origin_counts("00002", document.state.annotation)
         assert set(counts) == {OriginKind.ACCEPTED}
-        assert document.live_fit.result is not None
         assert document.live_fit.result.camera is not None
         assert not window.canvas.found_plate.isVisible()
         document.editing.undo()
@@ -212,9 +192,7 @@ class TestAccepting:
         assert entries(bare) == {}
         assert window.canvas.found_plate.isVisible()
 
-    def test_one_by_one_the_others_stay_while_the_clicks_know_fewer(
-        self, window: MainWindow, hand_on: Any, qtbot: QtBot
-    ) -> None:
+    def test_one_by_one_the_others_stay_while_the_clicks_know_fewer(self, window, hand_on, qtbot):
         hand: Hand = hand_on(window)
         document = window.document
         left = set(ghosts(window))
@@ -222,7 +200,6 @@ class TestAccepting:
         hand.key(Key.Key_Tab)
         while len(left) > 2:
             current = document.ghosts.current  # the walk goes on
-            assert current is not None
             all_done(qtbot)
             hand.key(Key.Key_Return)
             all_done(qtbot)
@@ -231,19 +208,16 @@ class TestAccepting:
             assert set(ghosts(window)) == left
         assert not document.foresight.stands_in
 
-    def test_not_visible_here(self, window: MainWindow, hand_on: Any, qtbot: QtBot) -> None:
+    def test_not_visible_here(self, window, hand_on, qtbot):
         hand: Hand = hand_on(window)
         hand.key(Key.Key_Tab)
         current = window.document.ghosts.current
-        assert current is not None
         hand.key(Key.Key_Period)
         all_done(qtbot)
 
         assert current.name not in ghosts(window)
 
-    def test_clicks_that_contradict_the_camera_take_its_ghosts_away(
-        self, window: MainWindow, hand_on: Any, qtbot: QtBot
-    ) -> None:
+    def test_clicks_that_contradict_the_camera_take_its_ghosts_away(self, window, hand_on, qtbot):
         hand: Hand = hand_on(window)
         name = ghosts(window)[0]
         height = (window.document.state.picture_size or (0, 0))[1]
@@ -256,9 +230,7 @@ class TestAccepting:
 
 
 class TestOff:
-    def test_in_blind_mode(
-        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
-    ) -> None:
+    def test_in_blind_mode(self, make_window, bare, finder, qtbot):
         window = make_window(bare)
         window.document.blind_lock.set_blind(True)
         window.document.walk.go_to(1)
@@ -271,7 +243,7 @@ class TestOff:
         all_done(qtbot)
         assert ghosts(window)
 
-    def test_by_the_option(self, window: MainWindow, finder: Finder, qtbot: QtBot) -> None:
+    def test_by_the_option(self, window, finder, qtbot):
         window.actions_["propose"].trigger()
         all_done(qtbot)
 
@@ -282,7 +254,7 @@ class TestOff:
         assert ghosts(window)
         assert finder.asked == 1
 
-    def test_the_live_fit_may_be_off(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_the_live_fit_may_be_off(self, window, qtbot):
         window.document.live_fit.set_wanted(False)
         all_done(qtbot)
 

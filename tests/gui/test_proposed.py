@@ -1,25 +1,15 @@
 """A set that was annotated by the program says so when it is opened."""
 
-from __future__ import annotations
-
 import shutil
-from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QLabel
-from pytestqt.qtbot import QtBot
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
 from procc_annotator.dataset.records import OriginKind
 
-if TYPE_CHECKING:
-    from tests.gui.conftest import MakeWindow
 
-
-def test_points_of_annotate_are_proposed(
-    make_window: MakeWindow, qtbot: QtBot, sample_data: Path, tmp_path: Path
-) -> None:
+def test_points_of_annotate_are_proposed(make_window, qtbot, sample_data, tmp_path):
     match = tmp_path / "match"
     match.mkdir()
     shutil.copy(sample_data / "00004.jpg", match)
@@ -33,5 +23,4 @@ def test_points_of_annotate_are_proposed(
     assert counts[OriginKind.PROPOSED] > 20
     window.panels.show("review")
     shown = window.findChild(QLabel, "reviewOrigins")
-    assert isinstance(shown, QLabel)
     qtbot.waitUntil(lambda: "proposed" in shown.text())

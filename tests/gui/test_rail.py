@@ -1,22 +1,14 @@
 """The rail of icons at the left edge, and the bar above."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import palette
 from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.resources import resources_dir
-from tests.gui.conftest import Hand
 
 
 def press(button: IconButton) -> None:
@@ -29,9 +21,7 @@ def grey(image: QImage) -> np.ndarray:
     return rows[:, : image.width()].astype(int)
 
 
-def test_buttons_do_what_the_keys_do_and_say_which(
-    window: MainWindow, hand: Hand, qtbot: QtBot
-) -> None:
+def test_buttons_do_what_the_keys_do_and_say_which(window, hand, qtbot):
     buttons = window.rail.buttons
     assert buttons["snapping"].key_text() == "S"
     assert buttons["redo"].key_text() == "Ctrl+Y"
@@ -47,7 +37,7 @@ def test_buttons_do_what_the_keys_do_and_say_which(
     assert window.document.state.annotation.get("Middle line") is None
 
 
-def test_pan_moves_the_picture_until_esc(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+def test_pan_moves_the_picture_until_esc(window, hand, qtbot):
     canvas, pan = window.canvas, window.rail.buttons["pan"]
     canvas.set_scale(4.0)
     window.document.selecting.select_class("Middle line")
@@ -67,7 +57,7 @@ def test_pan_moves_the_picture_until_esc(window: MainWindow, hand: Hand, qtbot: 
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_icons_stand_out_in_both_themes(window: MainWindow, qapp: QApplication, dark: bool) -> None:
+def test_icons_stand_out_in_both_themes(window, qapp, dark):
     before = qapp.palette()
     qapp.setPalette(palette(dark))
     try:
@@ -78,12 +68,12 @@ def test_icons_stand_out_in_both_themes(window: MainWindow, qapp: QApplication, 
         qapp.setPalette(before)
 
 
-def test_every_icon_is_drawn_in_one_style() -> None:
+def test_every_icon_is_drawn_in_one_style():
     heads = {path.read_text().split("\n")[0] for path in (resources_dir() / "icons").glob("*.svg")}
     assert len(heads) == 1
 
 
-def test_the_camera_has_room_only_once_there_is_one(window: MainWindow, tmp_path: Path) -> None:
+def test_the_camera_has_room_only_once_there_is_one(window, tmp_path):
     bar = window.top_bar
     assert not bar.camera_bar.isVisible()
     assert bar.chip.words() == f"dataset · {window.document.state.field.title}"
@@ -94,7 +84,7 @@ def test_the_camera_has_room_only_once_there_is_one(window: MainWindow, tmp_path
     assert bar.camera_bar.isVisible()
 
 
-def test_search_opens_the_palette(window: MainWindow) -> None:
+def test_search_opens_the_palette(window):
     QTest.mouseClick(window.top_bar.search, Qt.MouseButton.LeftButton)
     assert window.palette_.isVisible()
     QTest.keyClick(window.palette_.search, Qt.Key.Key_Escape)

@@ -4,15 +4,11 @@ A sequence is 50 random valid actions by mouse and keys over three frames. At it
 the model's annotation, and undoing everything restores the first state exactly.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import random
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -21,11 +17,7 @@ from PySide6.QtCore import Qt
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.gui.main_window import MainWindow
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand
 
 SEQUENCES, ACTIONS = 5, 50
 SIZE = (640, 360)
@@ -309,9 +301,7 @@ def make_dataset(folder: Path) -> Path:
 
 
 @pytest.mark.laps
-def test_any_sequence_of_actions_ends_as_the_model_says(
-    make_window: MakeWindow, hand_on: Callable[[MainWindow], Hand], tmp_path: Path, lap: int
-) -> None:
+def test_any_sequence_of_actions_ends_as_the_model_says(make_window, hand_on, tmp_path, lap):
     window = make_window(make_dataset(tmp_path / "first"), size=(1100, 700))
     window.actions_["snapping"].trigger()  # there is nothing to snap to; the model knows no lines
     window.panels.hide_all(True)

@@ -1,26 +1,15 @@
 """What an error says can be done stands beside it as a button; nothing is said twice."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
-from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.messages import UNSAVED
 from procc_annotator.gui.state.saying import notify, withdraw
-from tests.gui.conftest import Hand, MakeWindow, until_kept
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import until_kept
 
 
-def test_another_place_is_a_click_away(
-    window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_another_place_is_a_click_away(window, hand, tmp_path, qtbot, monkeypatch):
     hand.draw("Middle line", (300, 50), (300, 300))
     bar = window.message_bar
     in_the_way = tmp_path / "file"
@@ -37,7 +26,7 @@ def test_another_place_is_a_click_away(
     qtbot.waitUntil((tmp_path / "out.zip").exists)
 
 
-def test_what_is_not_saved_can_be_saved_again(window: MainWindow) -> None:
+def test_what_is_not_saved_can_be_saved_again(window):
     bar, store = window.message_bar, window.document.store
     notify(store, UNSAVED, "frame_0.json: could not be saved", "error", remedy="save")
     assert bar.remedy.isVisible()
@@ -49,7 +38,7 @@ def test_what_is_not_saved_can_be_saved_again(window: MainWindow) -> None:
     assert not bar.remedy.isVisible()
 
 
-def test_a_damaged_file_is_told_of_once(make_window: MakeWindow, dataset: Path) -> None:
+def test_a_damaged_file_is_told_of_once(make_window, dataset):
     (dataset / "frame_1.json").write_text('{"Middle')
     window = make_window(dataset)
     window.document.walk.go_to(1)

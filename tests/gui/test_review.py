@@ -1,16 +1,12 @@
 """Status, comments, provenance, versions, filter and the second annotator in the window."""
 
-from __future__ import annotations
-
 import json
 import sqlite3
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.records import OriginKind, Status
@@ -18,11 +14,6 @@ from procc_annotator.gui.commands.review.versions_command import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.report.window_tables import overview_rows
 from tests.gui.conftest import all_done, until_kept
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -35,7 +26,7 @@ def status(window: MainWindow, frame: int = 0) -> Status:
 
 def rows(window: MainWindow) -> list[str]:
     model = window.frames.model
-    return [window.document.state.workspace.frames[model.frame_index(r)].name  # type: ignore[union-attr]
+    return [window.document.state.workspace.frames[model.frame_index(r)].name
             for r in range(model.rowCount())]  # fmt: skip
 
 
@@ -53,9 +44,7 @@ def write_other(root: Path, **frames: dict[str, list[tuple[float, float]]]) -> P
 
 
 class TestStatus:
-    def test_an_edit_begins_a_frame_and_ctrl_enter_ends_it(
-        self, window: MainWindow, hand: Hand
-    ) -> None:
+    def test_an_edit_begins_a_frame_and_ctrl_enter_ends_it(self, window, hand):
         assert status(window) is Status.UNTOUCHED
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert status(window) is Status.IN_PROGRESS
@@ -63,7 +52,7 @@ class TestStatus:
         assert status(window) is Status.DONE
         assert window.top_bar.status.text() == "done"
 
-    def test_shift_d_goes_on_to_what_is_not_done(self, window: MainWindow, hand: Hand) -> None:
+    def test_shift_d_goes_on_to_what_is_not_done(self, window, hand):
         window.document.walk.go_to(1)
         hand.key(Qt.Key.Key_Return, CTRL)
         window.document.walk.go_to(0)
@@ -72,9 +61,7 @@ class TestStatus:
         hand.key(Qt.Key.Key_A, SHIFT)
         assert window.document.state.frame_index == 0
 
-    def test_a_rejected_frame_is_found_and_editing_it_reopens_it(
-        self, window: MainWindow, hand: Hand
-    ) -> None:
+    def test_a_rejected_frame_is_found_and_editing_it_reopens_it(self, window, hand):
         window.document.walk.go_to(2)
         hand.key(Qt.Key.Key_X, CTRL | SHIFT)
         assert status(window, 2) is Status.REJECTED
@@ -84,9 +71,7 @@ class TestStatus:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert status(window, 2) is Status.IN_PROGRESS
 
-    def test_status_and_place_are_there_after_a_restart(
-        self, window: MainWindow, hand: Hand, make_window: MakeWindow, dataset: Path
-    ) -> None:
+    def test_status_and_place_are_there_after_a_restart(self, window, hand, make_window, dataset):
         window.document.walk.go_to(1)
         hand.key(Qt.Key.Key_A, CTRL | SHIFT)
         window.close()
@@ -94,9 +79,7 @@ class TestStatus:
         assert status(again, 1) is Status.APPROVED
         assert again.document.state.frame_index == 1
 
-    def test_undoing_a_slip_gives_an_approved_frame_back(
-        self, window: MainWindow, hand: Hand
-    ) -> None:
+    def test_undoing_a_slip_gives_an_approved_frame_back(self, window, hand):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         window.document.review.set_status("frame_0", Status.APPROVED)
         hand.key(Qt.Key.Key_W)
@@ -107,7 +90,7 @@ class TestStatus:
         hand.key(Qt.Key.Key_Z, CTRL)  # further back than what was approved
         assert window.document.review.status("frame_0") is Status.IN_PROGRESS
 
-    def test_the_panel_gives_a_status_too(self, window: MainWindow) -> None:
+    def test_the_panel_gives_a_status_too(self, window):
         window.panels.show("review")
         combo = window.review.status
         combo.activated.emit(combo.findData(Status.REJECTED))
@@ -115,9 +98,7 @@ class TestStatus:
 
 
 class TestComments:
-    def test_a_comment_has_author_and_time_and_can_be_settled(
-        self, window: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_a_comment_has_author_and_time_and_can_be_settled(self, window, hand, qtbot):
         window.document.set_author("Ada")
         hand.key(Qt.Key.Key_M, CTRL)
         qtbot.keyClicks(window.review.text, "left post is hidden")
@@ -131,15 +112,13 @@ class TestComments:
         (settled,) = window.document.review.comments("frame_0")
         assert settled.resolved
 
-    def test_escape_gives_the_keyboard_back(self, window: MainWindow, hand: Hand) -> None:
+    def test_escape_gives_the_keyboard_back(self, window, hand):
         window.panels.enter("review")
         assert window.review.text.hasFocus()
         QTest.keyClick(window.review.text, Qt.Key.Key_Escape)
         assert window.canvas.hasFocus()
 
-    def test_writing_a_comment_finishes_no_polyline(
-        self, window: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_writing_a_comment_finishes_no_polyline(self, window, hand, qtbot):
         window.document.selecting.select_class(MIDDLE)
         hand.click(100, 100)
         window.panels.show("review")
@@ -151,9 +130,7 @@ class TestComments:
 
 
 class TestFilter:
-    def test_states_elements_and_numbers_combine(
-        self, window: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_states_elements_and_numbers_combine(self, window, hand, qtbot):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
         window.document.walk.go_to(1)
@@ -170,7 +147,7 @@ class TestFilter:
             window.frames.filter.setText(text)
             qtbot.waitUntil(lambda expected=expected: rows(window) == expected)
 
-    def test_a_mistake_is_explained_and_hides_nothing(self, window: MainWindow) -> None:
+    def test_a_mistake_is_explained_and_hides_nothing(self, window):
         window.frames.filter.setText("staet:done")
         assert "state" in window.frames.problem.text()
         assert window.frames.problem.isVisible()
@@ -178,23 +155,18 @@ class TestFilter:
         window.frames.filter.setText("")
         assert not window.frames.problem.isVisible()
 
-    def test_a_new_status_changes_what_is_shown(
-        self, window: MainWindow, hand: Hand, qtbot: QtBot
-    ) -> None:
+    def test_a_new_status_changes_what_is_shown(self, window, hand, qtbot):
         window.frames.filter.setText("-state:done")
         hand.key(Qt.Key.Key_Return, CTRL)
         qtbot.waitUntil(lambda: rows(window) == ["frame_1", "frame_2"])
 
 
 class TestVersions:
-    def test_every_save_is_a_version_and_one_can_be_brought_back(
-        self, window: MainWindow, hand: Hand, dataset: Path
-    ) -> None:
+    def test_every_save_is_a_version_and_one_can_be_brought_back(self, window, hand, dataset):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         first = (dataset / "frame_0.json").read_bytes()
         hand.draw(TOP, (100, 50), (200, 50))
         database = window.document.review.database
-        assert database is not None
         versions = database.versions("frame_0")
         assert [v.reason for v in versions] == ["draw Far touchline", "draw Halfway line"]
         apply_version(window.document, versions[-1].id)
@@ -205,21 +177,18 @@ class TestVersions:
         assert window.document.state.annotation.annotated == (MIDDLE, TOP)
 
     def test_what_was_there_before_the_first_edit_is_a_version_too(
-        self, make_window: MakeWindow, dataset: Path, hand_on: object
-    ) -> None:
+        self, make_window, dataset, hand_on
+    ):
         found = b'{"Circle left": [{"x": 0.5, "y": 0.5}]}'
         (dataset / "frame_0.json").write_bytes(found)
         window = make_window(dataset)
-        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))  # type: ignore[operator]
+        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
         database = window.document.review.database
-        assert database is not None
         assert database.version_data(database.versions("frame_0")[-1].id) == found
 
 
 class TestProvenance:
-    def test_it_is_exported_point_by_point(
-        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_it_is_exported_point_by_point(self, window, hand, tmp_path, qtbot):
         window.document.set_author("Ada")
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_W)
@@ -233,7 +202,7 @@ class TestProvenance:
             ("moved", "Ada"),
         ]
 
-    def test_undo_gives_a_point_its_origin_back(self, window: MainWindow, hand: Hand) -> None:
+    def test_undo_gives_a_point_its_origin_back(self, window, hand):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_W)
         hand.drag((200, 200), (240, 260))
@@ -247,7 +216,7 @@ class TestProvenance:
             OriginKind.CLICKED: 2
         }
 
-    def test_points_can_be_coloured_by_it(self, window: MainWindow, hand: Hand) -> None:
+    def test_points_can_be_coloured_by_it(self, window, hand):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         window.actions_["colour_origin"].trigger()
         clicked = [m for m in window.canvas.overlay_item.overlay.marks if m.colour == "#56B4E9"]
@@ -256,8 +225,8 @@ class TestProvenance:
 
 class TestTime:
     def test_the_panel_and_the_overview_count_the_time_of_the_frame_under_way(
-        self, window: MainWindow, hand: Hand, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
-    ) -> None:
+        self, window, hand, monkeypatch, qtbot
+    ):
         document, now = window.document, [1000.0]
         monkeypatch.setattr(document.review, "_clock", lambda: now[0])
         document.walk.go_to(1)
@@ -271,7 +240,7 @@ class TestTime:
 
 
 class TestOverview:
-    def test_it_counts_statuses_classes_and_time(self, window: MainWindow, hand: Hand) -> None:
+    def test_it_counts_statuses_classes_and_time(self, window, hand):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
         document = window.document
@@ -281,27 +250,21 @@ class TestOverview:
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
 
-    def test_the_csv_has_a_row_a_frame(
-        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_the_csv_has_a_row_a_frame(self, window, hand, tmp_path, qtbot):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         target = tmp_path / "overview.csv"
         window.exporter.write_overview(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
-    def test_an_unreadable_frame_has_a_row_too(
-        self, dataset: Path, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_an_unreadable_frame_has_a_row_too(self, dataset, make_window, tmp_path, qtbot):
         (dataset / "frame_1.json").write_text("{")
         target = tmp_path / "overview.csv"
         make_window(dataset).exporter.write_overview(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
-    def test_a_file_that_cannot_be_written_is_one_message(
-        self, window: MainWindow, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_file_that_cannot_be_written_is_one_message(self, window, tmp_path, qtbot):
         target = tmp_path / "gone" / "overview.csv"
         said = window.document.store.events.message
         with qtbot.waitSignal(said, check_params_cb=lambda m: str(target) in m.text):
@@ -310,16 +273,14 @@ class TestOverview:
 
 class TestSecondAnnotator:
     @pytest.fixture
-    def other(self, tmp_path: Path) -> Path:
+    def other(self, tmp_path) -> Path:
         folder = tmp_path / "other"
         folder.mkdir()
         points = [{"x": 102 / 639, "y": 100 / 359}, {"x": 202 / 639, "y": 100 / 359}]
         (folder / "frame_0.json").write_text(json.dumps({MIDDLE: points, TOP: points}))
         return folder
 
-    def test_both_are_drawn_and_compared(
-        self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
-    ) -> None:
+    def test_both_are_drawn_and_compared(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.panels.show("agreement")
         window.agreement.open(other)
@@ -333,9 +294,7 @@ class TestSecondAnnotator:
         second = [s for s in window.canvas.overlay_item.overlay.strokes if s.layer == "second"]
         assert len(second[0].segments) == 2
 
-    def test_clicks_beyond_and_elements_apart_are_told(
-        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_clicks_beyond_and_elements_apart_are_told(self, window, hand, tmp_path, qtbot):
         hand.draw(MIDDLE, (100, 100), (200, 100))
         hand.draw(TOP, (200, 200), (400, 200))
         folder = write_other(
@@ -355,9 +314,7 @@ class TestSecondAnnotator:
         assert "Apart: Far touchline" in text
         assert "1 click beyond" in text
 
-    def test_a_file_that_cannot_be_read_is_told(
-        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_file_that_cannot_be_read_is_told(self, window, hand, tmp_path, qtbot):
         hand.draw(MIDDLE, (100, 100), (200, 100))
         folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
         (folder / "frame_1.json").write_text("{")
@@ -376,9 +333,7 @@ class TestSecondAnnotator:
         qtbot.waitUntil(lambda: "JaC" in panel.frame.text())
 
     @pytest.mark.new_window  # its panel is not in it any more afterwards
-    def test_the_table_fits_a_narrow_panel(
-        self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
-    ) -> None:
+    def test_the_table_fits_a_narrow_panel(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (120, 103))
         panel = window.agreement
         panel.open(other)
@@ -395,9 +350,7 @@ class TestSecondAnnotator:
         assert table.columnWidth(0) >= 70
         panel.close()
 
-    def test_any_format_is_read_with_the_labels_of_its_folder(
-        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_any_format_is_read_with_the_labels_of_its_folder(self, window, hand, tmp_path, qtbot):
         hand.draw(MIDDLE, (100, 100), (200, 100))
         folder = tmp_path / "theirs"
         folder.mkdir()
@@ -418,14 +371,11 @@ class TestSecondAnnotator:
         assert table.model().rowCount() == 1
         assert table.model().index(0, 0).data() == "Halfway line"
         told = window.document.store.state.told
-        assert told is not None
         assert "read as labelme" in told.text
         assert window.document.state.noise_floor is not None
         assert file.read_bytes() == before
 
-    def test_closing_it_takes_everything_away(
-        self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
-    ) -> None:
+    def test_closing_it_takes_everything_away(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.agreement.open(other)
         qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
@@ -433,9 +383,7 @@ class TestSecondAnnotator:
         qtbot.waitUntil(lambda: window.document.state.noise_floor is None)
         assert window.document.second.annotation is None
 
-    def test_a_folder_without_annotations_is_one_message(
-        self, window: MainWindow, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_folder_without_annotations_is_one_message(self, window, tmp_path, qtbot):
         empty = tmp_path / "empty"
         empty.mkdir()
         window.agreement.open(empty)
@@ -448,9 +396,7 @@ class TestSecondAnnotator:
 
 
 class TestDatabase:
-    def test_a_damaged_one_is_set_aside_and_restored(
-        self, window: MainWindow, hand: Hand, dataset: Path, make_window: MakeWindow
-    ) -> None:
+    def test_a_damaged_one_is_set_aside_and_restored(self, window, hand, dataset, make_window):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         window.close()
         (dataset / ".procc" / "workspace.db").write_bytes(b"not a database at all" * 50)
@@ -460,28 +406,24 @@ class TestDatabase:
         assert status(again) is Status.IN_PROGRESS
         (dataset / ".procc" / "workspace.db").write_bytes(b"")  # while the window has it open
         again.document.review.set_status("frame_1", Status.DONE)
-        assert again.document.review.database.flush(20)  # type: ignore[union-attr]
+        assert again.document.review.database.flush(20)
         again.document.review.poll()
         assert "damaged-2; restored from" in again.message_bar.label.text()
         assert [status(again, i) for i in (0, 1)] == [Status.IN_PROGRESS, Status.DONE]
 
-    def test_a_foreign_one_is_not_touched(
-        self, dataset: Path, make_window: MakeWindow, hand_on: object
-    ) -> None:
+    def test_a_foreign_one_is_not_touched(self, dataset, make_window, hand_on):
         (dataset / ".procc").mkdir()
         with sqlite3.connect(dataset / ".procc" / "workspace.db") as foreign:
             foreign.execute("CREATE TABLE theirs(x)")
         foreign.close()
         window = make_window(dataset)
-        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))  # type: ignore[operator]
+        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
         assert status(window) is Status.IN_PROGRESS
         kept = [p for p in (dataset / ".procc").iterdir() if p.name.startswith("workspace.db.")]
         assert kept
 
 
-def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
-    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(window, qtbot, monkeypatch):
     """What was queued before (the time on the frame) goes to the disk first."""
     window.panels.show("review")
     all_done(qtbot)

@@ -1,13 +1,9 @@
 """The samples of other sports open as what they are: the right field, cameras that fit it."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 
@@ -23,14 +19,8 @@ MakeWindow = Callable[..., MainWindow]
     ],
 )
 def test_a_sample_opens_with_its_field(
-    make_window: MakeWindow,
-    qtbot: QtBot,
-    sample_data: Path,
-    tmp_path: Path,
-    folder: str,
-    field: str,
-    element: str,
-) -> None:
+    make_window, qtbot, sample_data, tmp_path, folder, field, element
+):
     dataset = tmp_path / folder
     (dataset / "cameras").mkdir(parents=True)
     for name in ("field.toml", "00001.jpg", "00001.json"):
@@ -43,7 +33,6 @@ def test_a_sample_opens_with_its_field(
     assert document.state.annotation.get(element) is not None
     document.camera_sources.load_cameras(dataset / "cameras" / "true")
     qtbot.waitUntil(lambda: document.judge.score is not None)
-    assert document.judge.score is not None
     assert document.judge.score.jac == 1.0
     document.camera_sources.load_cameras(dataset / "cameras" / "late")
     qtbot.waitUntil(lambda: document.state.active.name == "late")

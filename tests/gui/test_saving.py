@@ -1,26 +1,16 @@
 """Every finished edit is on disk at once; what cannot be saved is never lost and never hidden."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 from PySide6.QtCore import Qt
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset import saving
 from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import until_kept
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, ReadPoints
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 MIDDLE = "Middle line"
 
@@ -40,13 +30,11 @@ class Disk:
 
 
 @pytest.fixture
-def disk(monkeypatch: pytest.MonkeyPatch) -> Disk:
+def disk(monkeypatch) -> Disk:
     return Disk(monkeypatch)
 
 
-def test_a_finished_edit_is_on_disk_before_anything_else_happens(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_a_finished_edit_is_on_disk_before_anything_else_happens(window, hand, saved):
     assert window.top_bar.saved.text() == "no changes"
     hand.draw(MIDDLE, (100, 50), (120, 200))
     assert len(saved()) == 2
@@ -54,13 +42,7 @@ def test_a_finished_edit_is_on_disk_before_anything_else_happens(
     assert not window.isWindowModified()
 
 
-def test_a_failed_save_is_visible_told_once_and_tried_again(
-    window: MainWindow,
-    hand: Hand,
-    disk: Disk,
-    saved: ReadPoints,
-    qtbot: QtBot,
-) -> None:
+def test_a_failed_save_is_visible_told_once_and_tried_again(window, hand, disk, saved, qtbot):
     disk.full = True
     told: list[str] = []
     window.document.store.events.message.connect(lambda m: told.append(m.text))
@@ -81,9 +63,7 @@ def test_a_failed_save_is_visible_told_once_and_tried_again(
     assert not window.document.saver.retry_timer.isActive()
 
 
-def test_what_is_not_saved_stays_in_sight_when_more_fails(
-    window: MainWindow, hand: Hand, disk: Disk
-) -> None:
+def test_what_is_not_saved_stays_in_sight_when_more_fails(window, hand, disk):
     disk.full = True
     hand.draw(MIDDLE, (100, 50), (120, 200))
     window.document.review.failed.emit("workspace.db: cannot be written")  # the same full disk
@@ -96,9 +76,7 @@ def test_what_is_not_saved_stays_in_sight_when_more_fails(
     assert window.message_bar.isVisible()
 
 
-def test_a_frame_left_unsaved_is_saved_later_from_another_frame(
-    window: MainWindow, hand: Hand, disk: Disk, saved: ReadPoints
-) -> None:
+def test_a_frame_left_unsaved_is_saved_later_from_another_frame(window, hand, disk, saved):
     disk.full = True
     hand.draw(MIDDLE, (100, 50), (120, 200))
     hand.key(Qt.Key.Key_D)
@@ -110,9 +88,7 @@ def test_a_frame_left_unsaved_is_saved_later_from_another_frame(
 
 
 @pytest.mark.parametrize("mine", [True, False])
-def test_a_file_changed_outside_waits_for_a_decision(
-    window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints, mine: bool
-) -> None:
+def test_a_file_changed_outside_waits_for_a_decision(window, hand, dataset, saved, mine):
     hand.draw(MIDDLE, (100, 50), (120, 200))
     theirs = {"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}
     file = dataset / "frame_0.json"
@@ -133,9 +109,7 @@ def test_a_file_changed_outside_waits_for_a_decision(
         assert window.document.state.annotation.annotated == (MIDDLE, "Goal left crossbar")
 
 
-def test_closing_finishes_a_draft_and_saves_it(
-    window: MainWindow, hand: Hand, saved: ReadPoints
-) -> None:
+def test_closing_finishes_a_draft_and_saves_it(window, hand, saved):
     window.document.selecting.select_class(MIDDLE)
     hand.click(100, 50)
     hand.click(120, 200)
@@ -144,13 +118,7 @@ def test_closing_finishes_a_draft_and_saves_it(
 
 
 @pytest.mark.parametrize("leave", [True, False])
-def test_closing_with_unsaved_work_asks_first(
-    window: MainWindow,
-    hand: Hand,
-    disk: Disk,
-    monkeypatch: pytest.MonkeyPatch,
-    leave: bool,
-) -> None:
+def test_closing_with_unsaved_work_asks_first(window, hand, disk, monkeypatch, leave):
     asked: list[list[str]] = []
 
     def answer(parent: MainWindow, problems: list[str]) -> bool:
@@ -165,24 +133,19 @@ def test_closing_with_unsaved_work_asks_first(
     assert "No space left" in asked[0][0]
 
 
-def test_what_a_decision_overwrites_stays_a_version(
-    window: MainWindow, hand: Hand, dataset: Path
-) -> None:
+def test_what_a_decision_overwrites_stays_a_version(window, hand, dataset):
     hand.draw(MIDDLE, (100, 50), (120, 200))
     theirs = json.dumps({"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]})
     (dataset / "frame_0.json").write_text(theirs)
     hand.draw("Goal left crossbar", (10, 10), (20, 20))
     window.conflict_bar.overwrite_button.click()
     database = window.document.review.database
-    assert database is not None
     newest, before, *_ = database.versions("frame_0")
     assert database.version_data(before.id) == theirs.encode()
     assert database.version_data(newest.id) == (dataset / "frame_0.json").read_bytes()
 
 
-def test_undo_to_what_was_saved_last_decides_no_conflict(
-    window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints
-) -> None:
+def test_undo_to_what_was_saved_last_decides_no_conflict(window, hand, dataset, saved):
     hand.draw(MIDDLE, (100, 50), (120, 200))
     file = dataset / "frame_0.json"
     mine = file.read_bytes()
@@ -201,9 +164,7 @@ def test_undo_to_what_was_saved_last_decides_no_conflict(
     assert window.top_bar.saved.text().startswith("saved ")
 
 
-def test_a_newer_file_that_is_read_leaves_no_conflict_behind(
-    window: MainWindow, hand: Hand, dataset: Path
-) -> None:
+def test_a_newer_file_that_is_read_leaves_no_conflict_behind(window, hand, dataset):
     hand.draw(MIDDLE, (100, 50), (120, 200))
     theirs = '{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}'
     (dataset / "frame_0.json").write_text(theirs)

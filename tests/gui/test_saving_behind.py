@@ -1,8 +1,6 @@
 """What happens while an edit is on its way to the disk: nothing is lost, and nothing is said to be
 saved before it is."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import threading
@@ -17,9 +15,7 @@ from procc_annotator.dataset import editing, saving
 from procc_annotator.dataset.locks import locks_folder
 from procc_annotator.errors import AnnotationError, SaveError
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand, MakeWindow, until_kept
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, until_kept
 
 MIDDLE, TOP = "Middle line", "Side line top"
 THEIRS = '{"Circle left": [{"x": 0.5, "y": 0.5}]}'
@@ -65,7 +61,7 @@ class SlowDisk:
 
 
 @pytest.fixture
-def disk(monkeypatch: pytest.MonkeyPatch) -> Iterator[SlowDisk]:
+def disk(monkeypatch) -> Iterator[SlowDisk]:
     made = SlowDisk(monkeypatch)
     yield made
     made.let_go()  # whatever failed: the window is closed after this
@@ -93,9 +89,7 @@ def reads_saved(window: MainWindow) -> bool:
     return window.top_bar.saved.text().startswith("saved ")
 
 
-def test_it_is_said_to_be_saved_once_it_is(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_it_is_said_to_be_saved_once_it_is(window, disk, dataset, qtbot):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
     assert window.top_bar.saved.text() == "saving..."
@@ -106,9 +100,7 @@ def test_it_is_said_to_be_saved_once_it_is(
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
-def test_what_is_clicked_meanwhile_is_saved_on_the_result(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_what_is_clicked_meanwhile_is_saved_on_the_result(window, disk, dataset, qtbot):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
     click(window, TOP)
@@ -121,9 +113,7 @@ def test_what_is_clicked_meanwhile_is_saved_on_the_result(
     assert not window.document.saver.problems
 
 
-def test_an_undo_meanwhile_is_saved_too(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_an_undo_meanwhile_is_saved_too(window, disk, dataset, qtbot):
     disk.let_go()
     click(window)
     until_kept()
@@ -140,9 +130,7 @@ def test_an_undo_meanwhile_is_saved_too(
     assert not (dataset / "frame_0.json").exists()
 
 
-def test_a_first_click_taken_back_while_it_is_written_leaves_no_file(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_first_click_taken_back_while_it_is_written_leaves_no_file(window, disk, dataset, qtbot):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
     window.document.editing.undo()
@@ -153,9 +141,7 @@ def test_a_first_click_taken_back_while_it_is_written_leaves_no_file(
 
 
 @pytest.mark.parametrize("problem", ["No space left on device", "Permission denied"])
-def test_what_the_disk_refuses_is_told_kept_and_tried_again(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot, problem: str
-) -> None:
+def test_what_the_disk_refuses_is_told_kept_and_tried_again(window, disk, dataset, qtbot, problem):
     disk.problem = problem
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
@@ -173,9 +159,7 @@ def test_what_the_disk_refuses_is_told_kept_and_tried_again(
     assert not window.isWindowModified()
 
 
-def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(window, disk, dataset, qtbot):
     disk.problem = "No space left on device"
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
@@ -187,9 +171,7 @@ def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(
     assert not (dataset / "frame_0.json").exists()
 
 
-def test_a_write_that_happened_though_it_failed_is_saved(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_write_that_happened_though_it_failed_is_saved(window, disk, dataset, qtbot):
     """A drive behind a network may tell of an error after the file has its new name."""
     disk.problem_after = "Input/output error"
     disk.let_go()
@@ -201,13 +183,8 @@ def test_a_write_that_happened_though_it_failed_is_saved(
 
 @pytest.mark.parametrize("clicks_before", [0, 1])
 def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
-    window: MainWindow,
-    disk: SlowDisk,
-    dataset: Path,
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
-    clicks_before: int,
-) -> None:
+    window, disk, dataset, qtbot, monkeypatch, clicks_before
+):
     """The write failed behind a drive that cannot be read: nobody knows what the file holds."""
     disk.let_go()
     for _ in range(clicks_before):
@@ -241,9 +218,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     assert (dataset / "frame_0.json").exists() == bool(clicks_before)
 
 
-def test_somebody_else_writes_before_it_is_written(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_somebody_else_writes_before_it_is_written(window, disk, dataset, qtbot):
     """Their file stays, also when more is clicked meanwhile."""
     disk.let_go()
     click(window)
@@ -259,9 +234,7 @@ def test_somebody_else_writes_before_it_is_written(
     assert reads_saved(window)
 
 
-def test_somebody_else_writes_while_the_disk_is_waited_for(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_somebody_else_writes_while_the_disk_is_waited_for(window, disk, dataset, qtbot):
     """After the file was looked at, and before it is replaced."""
     disk.let_go()
     click(window)
@@ -276,9 +249,7 @@ def test_somebody_else_writes_while_the_disk_is_waited_for(
     assert points_on_disk(dataset) == {MIDDLE: 2}
 
 
-def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(window, disk, dataset, qtbot):
     disk.let_go()
     disk.problem = "Input/output error"
     click(window)
@@ -293,9 +264,7 @@ def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
-def test_what_is_being_written_is_nobody_elses_change(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_what_is_being_written_is_nobody_elses_change(window, disk, dataset, qtbot):
     told: list[str] = []
     window.document.store.events.message.connect(lambda m: told.append(m.text))
     disk.let_go()
@@ -315,9 +284,7 @@ def test_what_is_being_written_is_nobody_elses_change(
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
-def test_what_others_write_right_after_it_is_seen(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_what_others_write_right_after_it_is_seen(window, disk, dataset, qtbot):
     """A look that was asked for while it was written is taken once it is."""
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
@@ -337,8 +304,8 @@ def leave_meanwhile(
 
 
 def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+    window, disk, dataset, qtbot
+):
     locked: list[bool] = []
     disk.before = lambda: locked.append(bool(list(locks_folder(dataset).glob("frame_0-*.lock"))))
     click(window)
@@ -348,9 +315,7 @@ def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
     assert not list(locks_folder(dataset).glob("frame_0-*.lock"))
 
 
-def test_the_other_window_reads_what_was_being_written(
-    window: MainWindow, disk: SlowDisk, dataset: Path, make_window: MakeWindow, qtbot: QtBot
-) -> None:
+def test_the_other_window_reads_what_was_being_written(window, disk, dataset, make_window, qtbot):
     other = make_window(dataset)
     click(window)
     other.document.presence.look()
@@ -364,8 +329,8 @@ def test_the_other_window_reads_what_was_being_written(
 
 
 def test_closing_waits_for_what_is_written_and_for_what_was_clicked_meanwhile(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+    window, disk, dataset, qtbot
+):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
     click(window, TOP)
@@ -373,9 +338,7 @@ def test_closing_waits_for_what_is_written_and_for_what_was_clicked_meanwhile(
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 1}
 
 
-def test_another_dataset_waits_for_this_one(
-    window: MainWindow, disk: SlowDisk, dataset: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_another_dataset_waits_for_this_one(window, disk, dataset, tmp_path, qtbot):
     other = tmp_path / "other"
     shutil.copytree(dataset, other)
     click(window)
@@ -384,9 +347,7 @@ def test_another_dataset_waits_for_this_one(
     assert window.document.state.annotation.annotated == ()
 
 
-def test_a_document_that_ends_ends_no_write(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_a_document_that_ends_ends_no_write(window, disk, dataset, qtbot):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
     disk.let_go()
@@ -394,13 +355,10 @@ def test_a_document_that_ends_ends_no_write(
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
-def test_what_is_replaced_is_a_version_before(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
+def test_what_is_replaced_is_a_version_before(window, disk, dataset, qtbot):
     (dataset / "frame_1.json").write_text(THEIRS)
     window.document.walk.go_to(1)
     database = window.document.review.database
-    assert database is not None
     kept: list[list[bytes]] = []
     disk.before = lambda: kept.append(
         [database.version_data(v.id) for v in database.versions("frame_1")]

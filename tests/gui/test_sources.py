@@ -1,20 +1,14 @@
 """Several camera sources of one dataset: how they are kept, judged, drawn and remembered."""
 
-from __future__ import annotations
-
 import shutil
-from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import TypeVar
 
 import pytest
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
-from pytestqt.qtbot import QtBot
 
-from procc_annotator.batch.audit import FrameAudit
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
@@ -24,7 +18,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
-from tests.gui.conftest import Hand, MakeWindow, settle
+from tests.gui.conftest import settle
 
 Found = TypeVar("Found", bound=QObject)
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -47,27 +41,24 @@ def source(window: MainWindow, name: str) -> CameraSource:
 
 
 class TestAudits:
-    def test_every_source_is_audited_whichever_is_active(self, audited: MainWindow) -> None:
+    def test_every_source_is_audited_whichever_is_active(self, audited):
         document = audited.document
         frame = document.state.frame.name
         for name in ("true", "bad"):
             audits = source(audited, name).audits
-            assert isinstance(audits[frame], FrameAudit)
             assert audits[frame].jac_at(document.state.tau) == pytest.approx(
                 jac_here(audited, name), abs=1e-6
             )
         assert len(source(audited, "true").audits) > len(source(audited, "bad").audits) > 0
 
-    def test_the_mean_is_that_of_the_frames_at_any_threshold(self, audited: MainWindow) -> None:
+    def test_the_mean_is_that_of_the_frames_at_any_threshold(self, audited):
         bad = source(audited, "bad")
         for tau in (2.0, 5.0, 17.3):
             values = [audit.jac_at(tau) for audit in bad.audits.values()]
             assert bad.mean_jac(tau) == pytest.approx(sum(values) / len(values), abs=1e-9)
         assert bad.mean_jac(2.0) < bad.mean_jac(20.0)
 
-    def test_switching_computes_nothing_of_the_set_anew(
-        self, audited: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_switching_computes_nothing_of_the_set_anew(self, audited, qtbot):
         document = audited.document
         before = dict(source(audited, "bad").audits)
         document.camera_sources.set_active_camera(1)
@@ -77,9 +68,7 @@ class TestAudits:
             name: audit.jac_at(document.state.tau) for name, audit in before.items()
         }
 
-    def test_an_edit_is_audited_under_every_source(
-        self, audited: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
-    ) -> None:
+    def test_an_edit_is_audited_under_every_source(self, audited, hand_on, qtbot):
         document = audited.document
         frame = document.state.frame.name
         before = {s.name: s.audits[frame] for s in document.state.sources if frame in s.audits}
@@ -99,7 +88,7 @@ class TestAudits:
             )
         assert {document.state.active, bad} <= set(told)
 
-    def test_terms_apply_to_every_source(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def test_terms_apply_to_every_source(self, audited, qtbot):
         document = audited.document
         document.terms.set_protocol("procc")
         settle(audited, qtbot)
@@ -108,9 +97,7 @@ class TestAudits:
                 document.state.tau
             ) == pytest.approx(jac_here(audited, name), abs=1e-6)
 
-    def test_a_damaged_camera_is_known_by_its_frame(
-        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_damaged_camera_is_known_by_its_frame(self, make_window, annotated, qtbot):
         (annotated / "cameras" / "bad" / "camera_00003.json").write_text("{")
         window = make_window(annotated)
         window.document.live_fit.set_wanted(False)
@@ -145,11 +132,11 @@ def mean_jac(window: MainWindow, name: str, tau: float) -> float:
 
 class TestRows:
     @pytest.fixture(autouse=True)
-    def panel(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def panel(self, audited, qtbot) -> None:
         audited.panels.show("cameras")
         qtbot.waitUntil(lambda: "JaC" in child(audited, QLabel, "cameras_jac_2").text())
 
-    def test_a_row_says_how_its_source_does(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def test_a_row_says_how_its_source_does(self, audited, qtbot):
         for index, name in enumerate(("true", "bad", "pinhole")):
             expected = f"JaC {mean_jac(audited, name, 5.0):.3f}"
             label = child(audited, QLabel, f"cameras_jac_{index}")
@@ -162,9 +149,7 @@ class TestRows:
         qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
         assert not audited.document.set_scores.running  # nothing was computed for it
 
-    def test_rows_keep_their_height_where_the_panel_is_low(
-        self, audited: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_rows_keep_their_height_where_the_panel_is_low(self, audited, annotated, qtbot):
         assert audited.document.camera_sources.load_cameras(annotated / "cameras" / "homography")
         audited.document.camera_sources.set_active_camera(0)
         settle(audited, qtbot)
@@ -176,14 +161,14 @@ class TestRows:
             lambda: all(row.height() >= row.minimumSizeHint().height() for row in panel.list.rows)
         )
 
-    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, audited: MainWindow) -> None:
+    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, audited):
         row = child(audited, SourceRow, "cameras_row_1")
         at = row.jac.mapTo(row, row.jac.rect().center())
         QTest.mouseClick(row, Qt.MouseButton.LeftButton, pos=at)
         assert audited.document.state.active.name == "bad"
         assert audited.top_bar.camera_bar.cameras.currentText() == "bad"
 
-    def test_a_double_click_lets_the_name_be_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def test_a_double_click_lets_the_name_be_typed(self, audited, qtbot):
         audited.panels.show("cameras")
         row = audited.cameras.list.rows[1]  # not one that is about to be deleted
         QTest.mouseDClick(row.radio, Qt.MouseButton.LeftButton)
@@ -198,12 +183,12 @@ class TestRows:
         QTest.keyClick(row.edit, Qt.Key.Key_Escape)
         assert row.radio.text() == "TV X"
 
-    def test_no_two_sources_have_the_same_name(self, audited: MainWindow) -> None:
+    def test_no_two_sources_have_the_same_name(self, audited):
         document = audited.document
         document.camera_sources.rename_source(document.state.sources[1], "true")
         assert document.state.sources[1].name == "true (2)"
 
-    def test_another_colour_is_that_of_the_wireframe_too(self, audited: MainWindow) -> None:
+    def test_another_colour_is_that_of_the_wireframe_too(self, audited):
         row = child(audited, SourceRow, "cameras_row_1")
         navy = row.colour.menu().actions()[4]
         assert navy.text() == "Navy"
@@ -212,15 +197,13 @@ class TestRows:
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert SOURCE_COLOURS[4] in colours
 
-    def test_a_source_without_camera_here_says_so(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def test_a_source_without_camera_here_says_so(self, audited, qtbot):
         audited.document.walk.go_to(3)  # bad has none of 00004
         note = child(audited, QLabel, "cameras_problem_1")
         qtbot.waitUntil(lambda: "no camera for this frame" in note.text())
         assert not child(audited, QLabel, "cameras_problem_2").isVisible()
 
-    def test_a_source_whose_file_is_damaged_says_where(
-        self, audited: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_a_source_whose_file_is_damaged_says_where(self, audited, annotated, qtbot):
         (annotated / "cameras" / "homography" / "00006.homographyMatrix").write_text("1 2")
         audited.document.camera_sources.load_cameras(annotated / "cameras" / "homography")
         audited.document.camera_sources.set_active_camera(0)
@@ -229,11 +212,7 @@ class TestRows:
         note = child(audited, QLabel, "cameras_problem_3")
         qtbot.waitUntil(lambda: "00006.homographyMatrix" in note.text())
 
-    def test_blind_mode_hides_how_they_do(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.document.blind_lock.set_blind(True)
-        qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_0").text() == "JaC –")
-
-    def test_a_removed_source_takes_its_row_along(self, audited: MainWindow, qtbot: QtBot) -> None:
+    def test_a_removed_source_takes_its_row_along(self, audited, qtbot):
         child(audited, QToolButton, "cameras_remove_1").click()
         assert [s.name for s in audited.document.state.sources] == ["true", "pinhole"]
         qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 2)
@@ -241,9 +220,7 @@ class TestRows:
 
 
 class TestKeys:
-    def test_c_goes_on_and_shift_c_goes_back(
-        self, audited: MainWindow, hand_on: Callable[[MainWindow], Hand]
-    ) -> None:
+    def test_c_goes_on_and_shift_c_goes_back(self, audited, hand_on):
         hand, document = hand_on(audited), audited.document
         names = []
         for modifiers in (NONE, NONE, NONE, SHIFT):
@@ -253,7 +230,7 @@ class TestKeys:
 
 
 class TestCompared:
-    def test_it_is_the_one_active_before_unless_one_is_chosen(self, audited: MainWindow) -> None:
+    def test_it_is_the_one_active_before_unless_one_is_chosen(self, audited):
         document = audited.document
         true, bad, pinhole = document.state.sources
         document.camera_sources.set_active_camera(2)
@@ -270,9 +247,7 @@ class TestCompared:
 
 
 class TestMemory:
-    def test_sources_come_back_with_their_dataset(
-        self, audited: MainWindow, annotated: Path, make_window: MakeWindow, qtbot: QtBot
-    ) -> None:
+    def test_sources_come_back_with_their_dataset(self, audited, annotated, make_window, qtbot):
         document = audited.document
         document.camera_sources.rename_source(document.state.sources[1], "worse")
         document.camera_sources.set_source_colour(document.state.sources[2], "#22e6ff")
@@ -287,18 +262,14 @@ class TestMemory:
         settle(again, qtbot)
         assert again.document.state.active.audits
 
-    def test_what_is_not_there_any_more_is_told(
-        self, audited: MainWindow, annotated: Path, make_window: MakeWindow, qtbot: QtBot
-    ) -> None:
+    def test_what_is_not_there_any_more_is_told(self, audited, annotated, make_window, qtbot):
         audited.close()
         shutil.rmtree(annotated / "cameras" / "bad")
         again = make_window(annotated)
         qtbot.waitUntil(lambda: len(again.document.state.sources) == 2)
         assert str(annotated / "cameras" / "bad") in again.message_bar.label.text()
 
-    def test_another_dataset_brings_its_own(
-        self, audited: MainWindow, annotated: Path, dataset: Path, qtbot: QtBot
-    ) -> None:
+    def test_another_dataset_brings_its_own(self, audited, annotated, dataset, qtbot):
         document = audited.document
         audited.opening.open_path(dataset)
         assert document.state.sources == ()
@@ -310,8 +281,8 @@ class TestMemory:
         assert document.state.active.name == "true"
 
     def test_sources_named_at_the_start_are_judged_first(
-        self, audited: MainWindow, annotated: Path, make_window: MakeWindow, qtbot: QtBot
-    ) -> None:
+        self, audited, annotated, make_window, qtbot
+    ):
         audited.document.camera_sources.rename_source(
             audited.document.state.sources[0], "reference"
         )
@@ -327,9 +298,7 @@ class TestMemory:
         assert names == ["flat", "reference", "bad", "pinhole"]
         assert again.document.state.active.name == "flat"
 
-    def test_settings_that_make_no_sense_are_left_alone(
-        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_settings_that_make_no_sense_are_left_alone(self, make_window, annotated, qtbot):
         settings = Settings()
         settings.set(SOURCES, {"x": 1, str(annotated.resolve()): [{"path": 3}, 7]})
         settings.sync()
@@ -337,9 +306,7 @@ class TestMemory:
         assert window.document.state.sources == ()
         assert window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
 
-    def test_loading_the_same_again_reads_the_files_anew(
-        self, audited: MainWindow, annotated: Path, qtbot: QtBot
-    ) -> None:
+    def test_loading_the_same_again_reads_the_files_anew(self, audited, annotated, qtbot):
         document = audited.document
         bad = source(audited, "bad")
         before = bad.mean_jac(5.0)
@@ -356,7 +323,7 @@ class TestUnreadable:
     """Two cameras of "bad" are damaged: they count as missing, and every place says which."""
 
     @pytest.fixture
-    def damaged(self, make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    def damaged(self, make_window, annotated, qtbot) -> MainWindow:
         folder = annotated / "cameras" / "bad"
         for name in ("00002", "00003"):
             next(folder.glob(f"*{name}*")).write_text("{")
@@ -367,7 +334,7 @@ class TestUnreadable:
         settle(window, qtbot)
         return window
 
-    def test_the_row_counts_and_names_them(self, damaged: MainWindow, qtbot: QtBot) -> None:
+    def test_the_row_counts_and_names_them(self, damaged, qtbot):
         damaged.panels.show("cameras")
         # Looked up anew each time: rows of the dataset before go a turn later than they are left.
         matched = partial(child, damaged, QLabel, "cameras_matched_1")
@@ -377,7 +344,7 @@ class TestUnreadable:
         assert "00002, 00003" in matched().toolTip()
         assert child(damaged, QLabel, "cameras_matched_0").text() == "6 of 6 (100 %)"
 
-    def test_bar_and_list_say_it(self, damaged: MainWindow) -> None:
+    def test_bar_and_list_say_it(self, damaged):
         assert "camera unreadable" in damaged.top_bar.camera_bar.jac.text()
         assert "00002" in damaged.top_bar.camera_bar.jac.toolTip()
         model = damaged.frames.model
@@ -387,7 +354,7 @@ class TestUnreadable:
         assert "JaC" in damaged.top_bar.camera_bar.jac.text()
         assert model.info(1).camera_problem == ""
 
-    def test_the_names_over_the_picture_say_it(self, damaged: MainWindow) -> None:
+    def test_the_names_over_the_picture_say_it(self, damaged):
         QTest.keyClick(damaged.canvas, Qt.Key.Key_B, Qt.KeyboardModifier.ControlModifier)
         split = damaged.canvas.comparison.split
         assert split.left.text == "bad  ·  camera unreadable"
@@ -395,7 +362,7 @@ class TestUnreadable:
         damaged.document.walk.go_to(3)  # the file is not there at all
         assert split.left.text == "bad  ·  no camera here"
 
-    def test_the_filter_finds_them(self, damaged: MainWindow, qtbot: QtBot) -> None:
+    def test_the_filter_finds_them(self, damaged, qtbot):
         model = damaged.frames.model
 
         def shown() -> list[str]:
@@ -411,7 +378,7 @@ class TestUnreadable:
         qtbot.waitUntil(lambda: len(shown()) == 6)
 
 
-def test_cameras_of_no_frame_are_told(make_window: MakeWindow, annotated: Path) -> None:
+def test_cameras_of_no_frame_are_told(make_window, annotated):
     """A file named like no frame would else be judged as if nothing were wrong with it."""
     window = make_window(annotated)
     stray = annotated / "stray.json"
@@ -426,9 +393,7 @@ def test_cameras_of_no_frame_are_told(make_window: MakeWindow, annotated: Path) 
     assert "stray.json: holds no camera of a known format" in window.message_bar.label.text()
 
 
-def test_tabs_of_panels_show_whole_words_from_the_start(
-    make_window: MakeWindow, annotated: Path
-) -> None:
+def test_tabs_of_panels_show_whole_words_from_the_start(make_window, annotated):
     window = make_window(annotated)
     bars = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
     assert bars

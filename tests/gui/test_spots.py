@@ -1,19 +1,13 @@
 """Single places in the real window: one click each, and on to the next element."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 MARK = "Penalty mark left"
 
 
-def test_one_click_annotates_a_spot_and_goes_on(window: MainWindow, hand: Hand, saved) -> None:
+def test_one_click_annotates_a_spot_and_goes_on(window, hand, saved):
     document = window.document
     document.selecting.select_class(MARK)
     at = hand.click(200, 150)
@@ -28,7 +22,7 @@ def test_one_click_annotates_a_spot_and_goes_on(window: MainWindow, hand: Hand, 
     assert saved(MARK) == pytest.approx(np.array([at]), abs=1e-6)
 
 
-def test_a_spot_is_moved_and_removed_like_any_point(window: MainWindow, hand: Hand, saved) -> None:
+def test_a_spot_is_moved_and_removed_like_any_point(window, hand, saved):
     document = window.document
     hand.draw(MARK, (200, 150))
     document.selecting.set_mode("edit")
@@ -39,7 +33,7 @@ def test_a_spot_is_moved_and_removed_like_any_point(window: MainWindow, hand: Ha
     assert document.state.annotation.get(MARK) is None
 
 
-def test_a_spot_is_not_regularised(window: MainWindow, hand: Hand, saved) -> None:
+def test_a_spot_is_not_regularised(window, hand, saved):
     told: list[str] = []
     window.document.store.events.message.connect(lambda m: told.append(m.text))
     hand.draw(MARK, (200, 150))

@@ -1,7 +1,5 @@
 """In the window each frame of a set of several stadiums has the dimensions of its own."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from pytestqt.qtbot import QtBot
@@ -12,7 +10,6 @@ from procc_annotator.gui.main_window import MainWindow
 
 def length(window: MainWindow) -> float:
     found = window.document.judge.frame_setup.field.dimension("length")
-    assert found is not None
     return found.value
 
 
@@ -21,13 +18,10 @@ def judged_at(window: MainWindow, folder: Path, frame: int, qtbot: QtBot) -> flo
     window.document.walk.go_to(frame)
     qtbot.waitUntil(lambda: window.document.judge.score is not None, timeout=20_000)
     score = window.document.judge.score
-    assert score is not None
     return score.jac
 
 
-def test_a_frame_is_shown_and_judged_with_its_own_dimensions(
-    make_window, annotated: Path, qtbot: QtBot
-) -> None:
+def test_a_frame_is_shown_and_judged_with_its_own_dimensions(make_window, annotated, qtbot):
     window = make_window(annotated)
     names = [frame.name for frame in window.document.state.workspace.frames]
     plain = judged_at(window, annotated, 1, qtbot)
@@ -50,16 +44,13 @@ def test_a_frame_is_shown_and_judged_with_its_own_dimensions(
     qtbot.waitUntil(lambda: "99 x 62 m" in window.scores.terms.text(), timeout=20_000)
 
 
-def test_dimensions_that_are_entered_leave_the_stadiums_as_they_are(
-    make_window, annotated: Path, qtbot: QtBot
-) -> None:
+def test_dimensions_that_are_entered_leave_the_stadiums_as_they_are(make_window, annotated, qtbot):
     path = annotated / "stadiums.csv"
     path.write_text("frame,stadium,length\n00002,small,99\n")
     window = make_window(annotated)
     document = window.document
     window.actions_["field_dimensions"].trigger()
     dialog = window.field_dimensions.dialog
-    assert dialog is not None
     assert "(stadiums.csv): 1 frame of 1 stadium" in dialog.note.text()
     dialog.reject()
     document.field_choice.resize({"width": 66.0})
@@ -69,7 +60,7 @@ def test_dimensions_that_are_entered_leave_the_stadiums_as_they_are(
     assert (found["length"], found["width"]) == (99, 66)
 
 
-def test_a_damaged_file_is_told_when_the_dataset_opens(make_window, annotated: Path) -> None:
+def test_a_damaged_file_is_told_when_the_dataset_opens(make_window, annotated):
     (annotated / "stadiums.csv").write_text("frame,stadium,length\n00002,small,9\n")
     window = make_window(annotated)
     assert "stadiums.csv: line 2" in window.message_bar.label.text()

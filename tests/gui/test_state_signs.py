@@ -1,14 +1,11 @@
 """States of elements are told apart on both themes, without colour, and by every eye."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPalette
-from PySide6.QtWidgets import QApplication
 
 from procc_annotator.field.model import colour_difference
 from procc_annotator.gui.panels.element_states import (
@@ -29,9 +26,7 @@ SHOWN = [state for state in ElementState if state is not ElementState.UNTOUCHED]
 
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("state", ElementState)
-def test_a_sign_is_seen_on_every_ground(
-    qapp: QApplication, state: ElementState, dark: bool
-) -> None:
+def test_a_sign_is_seen_on_every_ground(qapp, state, dark):
     """WCAG 2, 1.4.11: at least 3:1."""
     colours = palette(dark)
     grounds = {
@@ -44,7 +39,7 @@ def test_a_sign_is_seen_on_every_ground(
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_a_warning_is_read(qapp: QApplication, dark: bool) -> None:
+def test_a_warning_is_read(qapp, dark):
     ground, text = alarm_colours(palette(dark))
     assert contrast(QColor(ground), QColor(text)) >= 4.5
 
@@ -60,7 +55,7 @@ def drawn(state: ElementState) -> np.ndarray:
     return pixels[:, :SIDE] < 128
 
 
-def test_every_state_has_a_sign_of_its_own_shape(qapp: QApplication) -> None:
+def test_every_state_has_a_sign_of_its_own_shape(qapp):
     """The share of the pixels of two signs that only one of them has."""
     signs = {state: drawn(state) for state in SHOWN}
     assert all(sign.sum() > 15 for sign in signs.values())
@@ -73,7 +68,7 @@ def test_every_state_has_a_sign_of_its_own_shape(qapp: QApplication) -> None:
 
 
 @pytest.mark.parametrize("eyes", SEEN_BY)
-def test_tones_of_states_differ_for_every_eye(eyes: str) -> None:
+def test_tones_of_states_differ_for_every_eye(eyes):
     """About 2 can just be seen when two tones lie side by side."""
     kept = {**tones.STATUS_COLOURS, "unconfirmed": tones.UNCONFIRMED, "ghost": tones.GHOST}
     apart = {

@@ -1,12 +1,9 @@
 """An overlay painted from a picture of it looks as if it were painted line by line."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.canvas.still import StillOverlay
 from procc_annotator.interaction.overlay_primitives import Labels, Overlay, Strokes
@@ -22,13 +19,13 @@ def painted(still: StillOverlay, overlay: Overlay, ratio: float, scale: float = 
     image.fill(QColor("#3f7f3f"))
     painter = QPainter(image)
     area = QRectF(0, 0, ROOM.width(), ROOM.height())
-    still.paint(painter, overlay, scale=scale, offset=(3.0, 2.0), clip=area, room=ROOM)
+    still.paint(painter, (overlay,), scale=scale, offset=(3.0, 2.0), clip=area, room=ROOM)
     painter.end()
     return np.frombuffer(image.constBits(), np.uint8).astype(int)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 2.0])
-def test_the_second_and_third_time_look_like_the_first(qapp: QApplication, ratio: float) -> None:
+def test_the_second_and_third_time_look_like_the_first(qapp, ratio):
     still = StillOverlay()
     first = painted(still, RED, ratio)
     bare = painted(StillOverlay(), Overlay((), (), ()), ratio)
@@ -37,7 +34,7 @@ def test_the_second_and_third_time_look_like_the_first(qapp: QApplication, ratio
         assert np.abs(painted(still, RED, ratio) - first).max() <= 3  # rounding of the smoothing
 
 
-def test_another_overlay_or_place_is_painted_anew(qapp: QApplication) -> None:
+def test_another_overlay_or_place_is_painted_anew(qapp):
     still = StillOverlay()
     for _ in range(3):
         painted(still, RED, 1.0)
@@ -46,7 +43,7 @@ def test_another_overlay_or_place_is_painted_anew(qapp: QApplication) -> None:
         assert np.abs(painted(still, overlay, 1.0, scale) - fresh).max() <= 3
 
 
-def test_texts_stay_in_what_is_seen(qapp: QApplication) -> None:
+def test_texts_stay_in_what_is_seen(qapp):
     label = Labels(np.array([[95.0, 30.0]]), ("Right goal post  ±1.2 px",), "#ffffff")
     still = StillOverlay()
     seen = QRectF(0, 0, ROOM.width() / 2, ROOM.height())
@@ -55,10 +52,9 @@ def test_texts_stay_in_what_is_seen(qapp: QApplication) -> None:
         image.fill(QColor("#3f7f3f"))
         painter = QPainter(image)
         area = QRectF(0, 0, ROOM.width(), ROOM.height())
-        still.paint(
-            painter, Overlay((), (), (label,)), scale=2.0, offset=(0.0, 0.0), clip=area, room=ROOM,
-            seen=seen,
-        )  # fmt: skip
+        layers = (Overlay((), (), (label,)),)
+        at = {"scale": 2.0, "offset": (0.0, 0.0), "clip": area, "room": ROOM, "seen": seen}
+        still.paint(painter, layers, **at)
         painter.end()
         pixels = np.frombuffer(image.constBits(), np.uint8).reshape(ROOM.height(), -1, 4)
         assert (pixels[:, : ROOM.width() // 2] != pixels[0, 0]).any()

@@ -1,7 +1,5 @@
 """The store: one state, watches that are called once for all that changed."""
 
-from __future__ import annotations
-
 import gc
 import weakref
 from collections.abc import Callable
@@ -9,7 +7,6 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
@@ -20,7 +17,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 
 
 @pytest.fixture
-def store(qtbot: QtBot) -> Store:
+def store(qtbot) -> Store:
     return Store(State(EvaluationSetup(load_field())))
 
 
@@ -36,7 +33,7 @@ class Listener:
         self.heard.append(self._read())
 
 
-def test_a_watch_is_called_for_what_it_selects_only(store: Store) -> None:
+def test_a_watch_is_called_for_what_it_selects_only(store):
     listener = Listener(store, lambda state: (state.tau, state.blind))
     store.update(hovered_class="Middle line")
     assert listener.heard == []
@@ -45,7 +42,7 @@ def test_a_watch_is_called_for_what_it_selects_only(store: Store) -> None:
     assert listener.heard == [(8.0, False), (8.0, True)]
 
 
-def test_no_watch_is_called_if_nothing_differs(store: Store) -> None:
+def test_no_watch_is_called_if_nothing_differs(store):
     listener = Listener(store, lambda state: state)
     store.update(
         tau=5.0, selection=replace(store.state.selection), sources=(), committed=frozenset()
@@ -54,7 +51,7 @@ def test_no_watch_is_called_if_nothing_differs(store: Store) -> None:
     assert not listener.heard
 
 
-def test_large_values_differ_by_identity(store: Store) -> None:
+def test_large_values_differ_by_identity(store):
     listener = Listener(store, lambda state: state.annotation)
     other = FrameAnnotation()
     store.update(annotation=other)
@@ -62,7 +59,7 @@ def test_large_values_differ_by_identity(store: Store) -> None:
     assert listener.heard[0] is other
 
 
-def test_a_change_in_a_callback_is_visible_at_once_and_notified_to_all(store: Store) -> None:
+def test_a_change_in_a_callback_is_visible_at_once_and_notified_to_all(store):
     heard: list[float] = []
 
     def first() -> None:
@@ -76,7 +73,7 @@ def test_a_change_in_a_callback_is_visible_at_once_and_notified_to_all(store: St
     assert heard == [7.0], "called once, with the latest state"
 
 
-def test_scores_are_computed_before_any_watch_is_called(store: Store) -> None:
+def test_scores_are_computed_before_any_watch_is_called(store):
     order: list[str] = []
     store.watch(lambda state: state.tau, lambda: order.append("view"))
     store.score = lambda before, after: order.append(f"score {before.tau} {after.tau}")
@@ -84,7 +81,7 @@ def test_scores_are_computed_before_any_watch_is_called(store: Store) -> None:
     assert order == ["score 5.0 6.0", "view"]
 
 
-def test_a_watch_ends_with_its_owner_and_does_not_keep_it_alive(store: Store) -> None:
+def test_a_watch_ends_with_its_owner_and_does_not_keep_it_alive(store):
     listener = Listener(store, lambda state: state.tau)
     gone = weakref.ref(listener)
     del listener
@@ -94,7 +91,7 @@ def test_a_watch_ends_with_its_owner_and_does_not_keep_it_alive(store: Store) ->
     assert not store._watches
 
 
-def test_values_are_the_same_by_identity_or_if_small_and_equal() -> None:
+def test_values_are_the_same_by_identity_or_if_small_and_equal():
     some, other = FrameAnnotation(), FrameAnnotation()
     assert some == other
     assert not same(some, other)
@@ -105,7 +102,7 @@ def test_values_are_the_same_by_identity_or_if_small_and_equal() -> None:
     assert same(None, None)
 
 
-def test_blind_mode_reveals_committed_frames_only(store: Store) -> None:
+def test_blind_mode_reveals_committed_frames_only(store):
     assert store.state.reveals("a")
     assert store.state.revealed_frames is None
     store.update(blind=True, committed=frozenset({"a"}))
@@ -114,7 +111,7 @@ def test_blind_mode_reveals_committed_frames_only(store: Store) -> None:
     assert not store.state.projection_visible, "no frame is on screen"
 
 
-def test_a_transaction_is_notified_once_at_its_end(store: Store) -> None:
+def test_a_transaction_is_notified_once_at_its_end(store):
     listener = Listener(store, lambda state: (state.tau, state.blind))
     with store.transaction():
         store.update(tau=6.0)
@@ -125,7 +122,7 @@ def test_a_transaction_is_notified_once_at_its_end(store: Store) -> None:
     assert listener.heard == [(6.0, True)]
 
 
-def test_messages_of_a_transaction_come_after_its_changes_in_order(store: Store) -> None:
+def test_messages_of_a_transaction_come_after_its_changes_in_order(store):
     order: list[str] = []
     store.watch(lambda state: state.tau, lambda: order.append("changed"))
     store.events.message.connect(lambda message: order.append(message.text))
@@ -136,7 +133,7 @@ def test_messages_of_a_transaction_come_after_its_changes_in_order(store: Store)
     assert order == ["changed", "first", "second"]
 
 
-def test_what_changed_before_an_error_is_notified(store: Store) -> None:
+def test_what_changed_before_an_error_is_notified(store):
     listener = Listener(store, lambda state: state.tau)
 
     def fail() -> None:
@@ -150,7 +147,7 @@ def test_what_changed_before_an_error_is_notified(store: Store) -> None:
     assert not store.busy
 
 
-def test_a_gesture_is_notified_to_others_after_the_paint(store: Store, qtbot: QtBot) -> None:
+def test_a_gesture_is_notified_to_others_after_the_paint(store, qtbot):
     canvas = Listener(store, lambda state: state.preview, When.GESTURE)
     panel = Listener(store, lambda state: state.shown_annotation)
     moves = FrameAnnotation(), FrameAnnotation()
@@ -163,7 +160,7 @@ def test_a_gesture_is_notified_to_others_after_the_paint(store: Store, qtbot: Qt
     assert panel.heard[0] is moves[1]
 
 
-def test_another_change_notifies_of_the_gesture_too(store: Store) -> None:
+def test_another_change_notifies_of_the_gesture_too(store):
     panel = Listener(store, lambda state: state.shown_annotation)
     preview = FrameAnnotation()
     store.update(preview=preview)
@@ -172,7 +169,7 @@ def test_another_change_notifies_of_the_gesture_too(store: Store) -> None:
     assert panel.heard[0] is preview
 
 
-def test_several_changes_are_one_after_the_paint(store: Store, qtbot: QtBot) -> None:
+def test_several_changes_are_one_after_the_paint(store, qtbot):
     late = Listener(store, lambda state: state.tau, When.AFTER_PAINT)
     store.update(tau=6.0)
     store.update(tau=7.0)
@@ -181,7 +178,7 @@ def test_several_changes_are_one_after_the_paint(store: Store, qtbot: QtBot) -> 
     assert late.heard == [7.0]
 
 
-def test_a_callback_that_fails_keeps_no_other_from_being_called(store: Store) -> None:
+def test_a_callback_that_fails_keeps_no_other_from_being_called(store):
     def fail() -> None:
         store.update(blind=True)
         raise ZeroDivisionError

@@ -1,7 +1,5 @@
 """A stretch is followed past damaged pictures, not in blind mode, nor for what is taken back."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +14,7 @@ from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.gui.commands.shot import accepting, following
 from procc_annotator.gui.main_window import MainWindow
 from tests.drawn_shots import soccer_shot
-from tests.gui.conftest import SIZE, Hand, MakeWindow, all_done, until_kept
+from tests.gui.conftest import SIZE, Hand, all_done, until_kept
 
 COUNT = 12
 DAMAGED = 6
@@ -33,7 +31,7 @@ def followed(number: int) -> TrackedFrame:
 
 
 @pytest.fixture
-def shot(tmp_path: Path, striped: list[bytes]) -> Path:
+def shot(tmp_path, striped) -> Path:
     """Pictures that follow one another."""
     folder = tmp_path / "shot"
     folder.mkdir()
@@ -43,7 +41,7 @@ def shot(tmp_path: Path, striped: list[bytes]) -> Path:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, shot: Path, qtbot: QtBot) -> MainWindow:
+def window(make_window, shot, qtbot) -> MainWindow:
     """The first three frames were followed."""
     made = make_window(shot)
     all_done(qtbot)
@@ -84,9 +82,7 @@ def commit_here(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
     assert window.document.state.projection_visible
 
 
-def test_what_is_taken_back_is_not_followed_again(
-    window: MainWindow, shot: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypatch):
     look_finds(monkeypatch, 0, 1)
     accept(window, qtbot)
     press(window, Key.Key_Z, CTRL)
@@ -99,9 +95,7 @@ def test_what_is_taken_back_is_not_followed_again(
     assert not window.shot_following.running
 
 
-def test_a_committed_frame_opens_no_other_in_blind_mode(
-    window: MainWindow, shot: Path, qtbot: QtBot, hand_on: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_committed_frame_opens_no_other_in_blind_mode(window, shot, qtbot, hand_on, monkeypatch):
     look_finds(monkeypatch, 1, 2)
     commit_here(window, hand_on(window), qtbot)
 
@@ -113,8 +107,8 @@ def test_a_committed_frame_opens_no_other_in_blind_mode(
 
 
 def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
-    make_window: MakeWindow, shot: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    make_window, shot, qtbot, monkeypatch
+):
     (shot / f"at_{DAMAGED:02d}.png").write_bytes(b"no picture")
 
     def track(frame: Any, numbers: range, *_: Any, **__: Any) -> Track:
@@ -137,9 +131,7 @@ def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
     assert "cannot be" in tracked[DAMAGED].reason
 
 
-def test_stopped_before_anything_was_followed_it_says_so(
-    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_stopped_before_anything_was_followed_it_says_so(window, qtbot, monkeypatch):
     def shot_around(*args: Any) -> range:
         while True:
             args[-1]()  # ends once nobody wants it

@@ -1,12 +1,9 @@
 """The strip below the picture: when it is there, where a click goes, what it tells of frames."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Iterable
 from pathlib import Path
 from time import thread_time
-from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -15,7 +12,6 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QFocusEvent, QPalette, QPixmap, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.tracking.track import FrameState, Track, TrackedFrame
@@ -26,10 +22,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.timeline import content
 from procc_annotator.gui.panels.timeline.content import Axis, Band, band_pixels
 from procc_annotator.gui.panels.timeline.painting import strip_rows
-from tests.gui.conftest import all_done
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, all_done
 
 SIZE = (320, 180)
 COUNT = 24
@@ -57,7 +50,7 @@ def following() -> list[bytes]:
 
 
 @pytest.fixture
-def shot(tmp_path: Path, following: list[bytes]) -> Path:
+def shot(tmp_path, following) -> Path:
     """A folder of them."""
     folder = tmp_path / "shot"
     folder.mkdir()
@@ -67,7 +60,7 @@ def shot(tmp_path: Path, following: list[bytes]) -> Path:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, shot: Path, qtbot: QtBot) -> MainWindow:
+def window(make_window, shot, qtbot) -> MainWindow:
     made = make_window(shot)
     qtbot.waitUntil(made.strip.isVisible)
     all_done(qtbot)
@@ -85,7 +78,6 @@ def take(window: MainWindow, frames: Iterable[TrackedFrame], *shots: tuple[int, 
 
 def place_of(window: MainWindow, number: int) -> QPoint:
     strip = window.strip
-    assert strip.axis is not None
     return QPoint(round(8 + strip.axis.middle_of(number)), strip.height() // 2)
 
 
@@ -101,16 +93,15 @@ SHIFT, CTRL, ALT = (
 
 
 class TestWhereItIs:
-    def test_pictures_that_follow_one_another_have_one(self, window: MainWindow) -> None:
+    def test_pictures_that_follow_one_another_have_one(self, window):
         sequence = window.document.sequence.value
 
-        assert sequence is not None
         assert (sequence.first, sequence.last, sequence.video) == (100, 123, None)
         assert window.strip.mapTo(window, QPoint()).y() > window.canvas.mapTo(window, QPoint()).y()
 
     def test_shots_in_folders_of_their_own_lie_one_behind_the_other(
-        self, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+        self, make_window, tmp_path, qtbot
+    ):
         for scene, match in enumerate(("a", "b")):
             (tmp_path / match / "img1").mkdir(parents=True)
             for number in range(FEWEST):
@@ -122,12 +113,9 @@ class TestWhereItIs:
         all_done(qtbot)
         assert strip_words(window).startswith("b/img1/000000")
         sequence = window.document.sequence.value
-        assert sequence is not None
         assert len(sequence.unbroken(int(sequence.numbers[FEWEST]))) == FEWEST
 
-    def test_unrelated_pictures_have_none(
-        self, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
-    ) -> None:
+    def test_unrelated_pictures_have_none(self, make_window, tmp_path, qtbot):
         for number in range(COUNT):
             cv2.imwrite(str(tmp_path / f"{number:05d}.png"), panned(0, scene=number))
 
@@ -137,7 +125,7 @@ class TestWhereItIs:
         assert window.document.sequence.value is None
         assert not window.strip.isVisible()
 
-    def test_few_pictures_or_names_without_order_make_no_sequence(self, shot: Path) -> None:
+    def test_few_pictures_or_names_without_order_make_no_sequence(self, shot):
         frames = list_frames(shot)[1]
 
         assert sequence_of(frames) is not None
@@ -145,25 +133,21 @@ class TestWhereItIs:
         gaps = [frame for i, frame in enumerate(frames) if i % 3]
         assert sequence_of(gaps) is None  # one is missing again and again
 
-    def test_names_may_count_by_more_than_one(self, tmp_path: Path) -> None:
+    def test_names_may_count_by_more_than_one(self, tmp_path):
         for number in range(COUNT):
             cv2.imwrite(str(tmp_path / f"match_{5 * number:06d}.png"), panned(2 * number))
         frames = list_frames(tmp_path)[1]
 
         every_fifth = sequence_of(frames)
 
-        assert every_fifth is not None
         assert every_fifth.step == 5
         assert every_fifth.numbers.tolist() == list(range(COUNT))
         assert every_fifth.paths[3] == frames[3].image_path
         assert every_fifth.fps == 5.0
         found = sequence_of([*frames[:4], *frames[5:]])
-        assert found is not None
         assert 4 not in found.index_of
 
-    def test_it_does_not_come_while_a_hand_works(
-        self, make_window: MakeWindow, dataset: Path, shot: Path, qtbot: QtBot
-    ) -> None:
+    def test_it_does_not_come_while_a_hand_works(self, make_window, dataset, shot, qtbot):
         window = make_window(dataset)
         all_done(qtbot)
         document = window.document
@@ -176,9 +160,7 @@ class TestWhereItIs:
         document.walk.next_frame()
         assert window.strip.isVisible()
 
-    def test_it_is_switched_off_and_remembered(
-        self, window: MainWindow, make_window: MakeWindow, shot: Path, qtbot: QtBot
-    ) -> None:
+    def test_it_is_switched_off_and_remembered(self, window, make_window, shot, qtbot):
         window.actions_["strip"].trigger()
 
         assert not window.strip.isVisible()
@@ -189,9 +171,7 @@ class TestWhereItIs:
 
 
 class TestHands:
-    def test_a_click_goes_to_a_frame_and_a_drag_along_them(
-        self, window: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_click_goes_to_a_frame_and_a_drag_along_them(self, window, qtbot):
         strip, document = window.strip, window.document
         left = Qt.MouseButton.LeftButton
 
@@ -205,10 +185,9 @@ class TestHands:
 
         assert strip.number == 120
 
-    def test_the_wheel_zooms_where_the_pointer_is(self, window: MainWindow) -> None:
+    def test_the_wheel_zooms_where_the_pointer_is(self, window):
         strip = window.strip
         before = strip.axis
-        assert before is not None
         assert before.is_whole
 
         for turned in (120, 120):
@@ -226,11 +205,10 @@ class TestHands:
             QApplication.sendEvent(strip, event)
         after = strip.axis
 
-        assert after is not None
         assert after.per_frame > before.per_frame
         assert after.middle_of(110) == pytest.approx(before.middle_of(110), abs=2.0)
 
-    def test_the_keyboard_stays_with_the_picture(self, window: MainWindow) -> None:
+    def test_the_keyboard_stays_with_the_picture(self, window):
         QTest.mouseClick(
             window.strip,
             Qt.MouseButton.LeftButton,
@@ -240,7 +218,7 @@ class TestHands:
 
         assert window.canvas.hasFocus()
 
-    def test_a_stretch_is_marked_with_shift(self, window: MainWindow) -> None:
+    def test_a_stretch_is_marked_with_shift(self, window):
         strip, left = window.strip, Qt.MouseButton.LeftButton
 
         QTest.mousePress(strip, left, SHIFT, place_of(window, 118))
@@ -252,7 +230,7 @@ class TestHands:
 
 
 class TestKeys:
-    def test_by_ten(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_by_ten(self, window, qtbot):
         document = window.document
 
         for expected in (10, 20, COUNT - 1):
@@ -261,10 +239,10 @@ class TestKeys:
         key(window, Qt.Key.Key_PageUp, SHIFT)
         qtbot.waitUntil(lambda: document.state.frame_index == COUNT - 11)
 
-    def test_to_annotated_frames(self, window: MainWindow, hand_on: object, qtbot: QtBot) -> None:
+    def test_to_annotated_frames(self, window, hand_on, qtbot):
         document = window.document
         document.walk.go_to(7)
-        hand: Hand = hand_on(window)  # type: ignore[operator]
+        hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
         document.walk.go_to(15)
         hand.draw("Middle line", (40, 40), (200, 120))
@@ -276,7 +254,7 @@ class TestKeys:
         key(window, Qt.Key.Key_PageDown, CTRL)
         qtbot.waitUntil(lambda: document.state.frame_index == 15)
 
-    def test_to_doubtful_frames(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_to_doubtful_frames(self, window, qtbot):
         document = window.document
         frames = [tracked(n) for n in range(100, 124)]
         frames[9], frames[14] = tracked(109, "bridged"), tracked(114, coverage=0.2)
@@ -288,9 +266,7 @@ class TestKeys:
         key(window, Qt.Key.Key_PageUp, ALT)
         qtbot.waitUntil(lambda: document.state.frame_index == 9)
 
-    def test_playing_goes_on_to_the_end_and_an_edit_stops_it(
-        self, window: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_playing_goes_on_to_the_end_and_an_edit_stops_it(self, window, qtbot):
         document, walk = window.document, window.shot_walk
 
         key(window, Qt.Key.Key_Space, SHIFT)
@@ -304,8 +280,8 @@ class TestKeys:
         assert document.state.frame_index == COUNT - 1
 
     def test_a_menu_of_the_picture_is_of_the_frame_it_was_asked_for_on(
-        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+        self, window, qtbot, monkeypatch
+    ):
         document, seen = window.document, []
 
         class Menu:
@@ -324,9 +300,7 @@ class TestKeys:
         window.canvas.menuWanted.emit(QPoint())
         assert seen == [document.state.frame_index]
 
-    def test_a_dialog_is_about_the_frame_it_was_opened_on(
-        self, window: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_a_dialog_is_about_the_frame_it_was_opened_on(self, window, qtbot):
         key(window, Qt.Key.Key_Space, SHIFT)
         qtbot.waitUntil(lambda: window.document.state.frame_index > 2)
         dialog = QDialog(window)
@@ -337,8 +311,8 @@ class TestKeys:
         dialog.deleteLater()
 
     def test_a_picture_on_its_way_takes_nobody_back_who_went_elsewhere(
-        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+        self, window, qtbot, monkeypatch
+    ):
         document, visited, go = window.document, [], threading.Event()
         decode = document.cache.get_ready
 
@@ -359,7 +333,7 @@ class TestKeys:
 
 
 class TestWhatItTells:
-    def test_of_a_followed_frame(self, window: MainWindow) -> None:
+    def test_of_a_followed_frame(self, window):
         take(window, [tracked(n) for n in range(100, 120)], (100, 109), (110, 119))
         document, content = window.document, window.strip.content
 
@@ -374,7 +348,7 @@ class TestWhatItTells:
         assert document.judge.camera is None
         assert document.judge.shown.notice == "not followed so far"
 
-    def test_nothing_of_cameras_in_blind_mode(self, window: MainWindow) -> None:
+    def test_nothing_of_cameras_in_blind_mode(self, window):
         take(window, [tracked(n) for n in range(100, 120)], (100, 119))
 
         window.document.blind_lock.set_blind(True)
@@ -384,7 +358,7 @@ class TestWhatItTells:
         window.document.blind_lock.set_blind(False)
         assert "on paint" in strip_words(window)
 
-    def test_the_band_shows_the_window_where_nothing_is_known(self, window: MainWindow) -> None:
+    def test_the_band_shows_the_window_where_nothing_is_known(self, window):
         take(window, [tracked(n) for n in range(100, 112)], (100, 111))
         strip = window.strip
         image = strip.grab().toImage()
@@ -398,9 +372,7 @@ class TestWhatItTells:
         assert colour(120) == ground
         assert colour(105) != ground
 
-    def test_another_dataset_begins_without(
-        self, window: MainWindow, dataset: Path, qtbot: QtBot
-    ) -> None:
+    def test_another_dataset_begins_without(self, window, dataset, qtbot):
         take(window, [tracked(n) for n in range(100, 120)], (100, 119))
 
         window.document.opening.open_path(dataset)
@@ -417,7 +389,7 @@ def strip_words(window: MainWindow) -> str:
     return strip_words(window.document, window.strip.content, window.strip.number)
 
 
-def test_frames_are_gone_to_and_marked_by_keys(window: MainWindow, qtbot: QtBot) -> None:
+def test_frames_are_gone_to_and_marked_by_keys(window, qtbot):
     strip, document = window.strip, window.document
     strip.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(strip, Qt.Key.Key_Right)
@@ -438,9 +410,7 @@ def test_frames_are_gone_to_and_marked_by_keys(window: MainWindow, qtbot: QtBot)
     qtbot.waitUntil(lambda: document.state.frame_index == 0)
 
 
-def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(
-    window: MainWindow, qtbot: QtBot
-) -> None:
+def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(window, qtbot):
     strip, document = window.strip, window.document
     strip.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyPress(strip, Qt.Key.Key_Right)
@@ -450,7 +420,7 @@ def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(
     assert strip.number == int(strip.content.sequence.numbers[5])
 
 
-def test_a_band_shows_the_worst_of_what_shares_a_column() -> None:
+def test_a_band_shows_the_worst_of_what_shares_a_column():
     band = Band.unknown(1000)
     band.coverage[:] = 0.9
     band.coverage[500], band.lost[500], band.doubtful[500] = 0.0, True, True
@@ -462,7 +432,7 @@ def test_a_band_shows_the_worst_of_what_shares_a_column() -> None:
 
 
 @pytest.mark.parametrize("width", [100, 3840])
-def test_a_frame_is_found_where_it_is_painted(width: int) -> None:
+def test_a_frame_is_found_where_it_is_painted(width):
     axis = Axis.whole(10, 5009, float(width)).zoomed(4.0, width / 3)
 
     for number in (int(axis.begin) + 2, int(axis.end) - 2):
@@ -471,9 +441,7 @@ def test_a_frame_is_found_where_it_is_painted(width: int) -> None:
 
 
 @pytest.mark.new_window
-def test_painting_thousands_of_frames_takes_a_fraction_of_a_screen_frame(
-    make_window: MakeWindow, shot: Path, qtbot: QtBot
-) -> None:
+def test_painting_thousands_of_frames_takes_a_fraction_of_a_screen_frame(make_window, shot, qtbot):
     window = make_window(shot)
     qtbot.waitUntil(window.strip.isVisible)
     strip = window.strip
@@ -497,9 +465,7 @@ def test_painting_thousands_of_frames_takes_a_fraction_of_a_screen_frame(
     assert thread_time() - begin < 0.004
 
 
-def test_what_the_band_tells_already_is_not_taken_down_again(
-    make_window: MakeWindow, shot: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_the_band_tells_already_is_not_taken_down_again(make_window, shot, qtbot, monkeypatch):
     window = make_window(shot)
     qtbot.waitUntil(window.strip.isVisible)
     before = {n: tracked(n) for n in range(100, 120)}

@@ -1,7 +1,5 @@
 """Text is read on whatever is behind it, in both themes (WCAG 2, 1.4.3)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import product
 
@@ -9,7 +7,6 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QApplication, QCheckBox, QListWidgetItem, QRadioButton, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.panels.review import CommentList
 from procc_annotator.gui.theme import blend, contrast, is_dark, muted, palette, wear
@@ -20,7 +17,7 @@ GROUNDS = (ROLE.Window, ROLE.Base, ROLE.AlternateBase, ROLE.Button, ROLE.ToolTip
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_every_text_has_enough_contrast(dark: bool) -> None:
+def test_every_text_has_enough_contrast(dark):
     colours = palette(dark)
     chosen = blend(colours.color(ROLE.Window), colours.color(ROLE.Highlight), 0.16)
     pairs = {
@@ -36,7 +33,7 @@ def test_every_text_has_enough_contrast(dark: bool) -> None:
 
 
 @pytest.fixture
-def application(qapp: QApplication) -> Iterator[QApplication]:
+def application(qapp) -> Iterator[QApplication]:
     """Wears afterwards what it wore before."""
     style, before = qapp.style().name(), is_dark(qapp.palette())
     qapp.setStyle("Fusion")
@@ -55,9 +52,7 @@ def comments() -> CommentList:
 
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("make", [QCheckBox, QRadioButton, comments])
-def test_a_box_that_is_not_ticked_is_seen(
-    application: QApplication, qtbot: QtBot, make: type[QWidget], dark: bool
-) -> None:
+def test_a_box_that_is_not_ticked_is_seen(application, qtbot, make, dark):
     """Its edge stands out from what is around it and from what is within (WCAG 2, 1.4.11)."""
     wear(application, dark)
     parent = QWidget()  # which paints the ground

@@ -1,7 +1,5 @@
 """Going through a set worst first, marking with one key, reading why; driven as a person would."""
 
-from __future__ import annotations
-
 import csv
 import io
 import shutil
@@ -25,7 +23,7 @@ SETS = ("true", "bad")
 
 
 @pytest.fixture
-def sample(annotated: Path) -> Path:
+def sample(annotated) -> Path:
     return annotated
 
 
@@ -43,7 +41,7 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
+def window(make_window, sample, qtbot) -> MainWindow:
     window = opened(make_window, sample, qtbot)
     window.document.walk.go_to(0)
     return window
@@ -84,7 +82,7 @@ def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> li
 
 
 class TestWalks:
-    def test_by_jac(self, window: MainWindow) -> None:
+    def test_by_jac(self, window):
         window.document.walk.go_to(4)  # not annotated: the walk begins at the worst
         ctrl, shift = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
         names = walk(window, Qt.Key.Key_W, ctrl, shift)
@@ -93,7 +91,7 @@ class TestWalks:
         jacs = [scores[name] for name in names]
         assert jacs == sorted(jacs)
 
-    def test_begun_on_the_worst_it_says_so_and_stays(self, window: MainWindow) -> None:
+    def test_begun_on_the_worst_it_says_so_and_stays(self, window):
         document = window.document
         worst = min(document.auditing.frame_scores, key=document.auditing.frame_scores.__getitem__)
         document.walk.go_to(document.state.workspace.index[worst])
@@ -108,7 +106,7 @@ class TestWalks:
         assert document.state.frame.name != worst
         assert f"2 of {count}, worst first" in window.status.hint.text()
 
-    def test_by_largest_error(self, window: MainWindow) -> None:
+    def test_by_largest_error(self, window):
         window.document.walk.go_to(4)
         names = walk(window, Qt.Key.Key_F3)
         audits = window.document.state.active.audits
@@ -116,7 +114,7 @@ class TestWalks:
         assert errors == sorted(errors, reverse=True)
         assert sorted(names) == sorted(n for n, a in audits.items() if len(a.errors_px))
 
-    def test_an_edit_does_not_change_the_order_while_one_walks(self, window: MainWindow) -> None:
+    def test_an_edit_does_not_change_the_order_while_one_walks(self, window):
         document = window.document
         document.walk.go_to(4)
         press(window, Qt.Key.Key_F3)
@@ -134,7 +132,7 @@ class TestWalks:
         assert rest[-2:] == [first, second]
         assert len(set(rest)) == len(rest)
 
-    def test_by_disagreement(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_by_disagreement(self, window, qtbot):
         window.document.walk.go_to(4)
         before = window.document.state.frame
         press(window, Qt.Key.Key_F4)
@@ -150,22 +148,20 @@ class TestWalks:
         assert metres == sorted(metres, reverse=True)
         assert set(names) == set(found.metres)
 
-    def test_whoever_moved_on_is_not_taken_away(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_whoever_moved_on_is_not_taken_away(self, window, qtbot):
         press(window, Qt.Key.Key_F4)
         window.document.walk.go_to(3)
         qtbot.waitUntil(lambda: bool(window.worst_first._kept), timeout=20_000)
         assert window.document.state.frame_index == 3
 
-    def test_without_a_second_source_it_says_what_to_do(
-        self, make_window: MakeWindow, sample: Path, qtbot: QtBot
-    ) -> None:
+    def test_without_a_second_source_it_says_what_to_do(self, make_window, sample, qtbot):
         window = make_window(sample)
         window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
         with qtbot.waitSignal(window.document.store.events.message) as told:
             press(window, Qt.Key.Key_F4)
         assert "two sources are needed" in told.args[0].text
 
-    def test_blind_it_goes_to_committed_frames_only(self, window: MainWindow) -> None:
+    def test_blind_it_goes_to_committed_frames_only(self, window):
         document = window.document
         for index in (1, 2):
             document.walk.go_to(index)
@@ -176,9 +172,7 @@ class TestWalks:
 
 
 class TestVerdicts:
-    def test_one_key_marks_and_the_same_key_takes_it_back(
-        self, window: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_one_key_marks_and_the_same_key_takes_it_back(self, window, qtbot):
         document = window.document
         frame = document.state.frame.name
         press(window, Qt.Key.Key_F7)
@@ -191,7 +185,7 @@ class TestVerdicts:
         assert verdict_on(document, frame, "bad") is None
         assert window.frames.model.info(0).verdict is None
 
-    def test_the_buttons_say_it_and_mark_too(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_the_buttons_say_it_and_mark_too(self, window, qtbot):
         window.panels.show("scores")
         buttons = window.scores.verdict.buttons
         press(window, Qt.Key.Key_F7)
@@ -203,9 +197,8 @@ class TestVerdicts:
         qtbot.waitUntil(lambda: not buttons[FaultParty.FINE].isChecked())
 
     def test_it_is_there_when_the_dataset_is_opened_again_and_exported(
-        self, window: MainWindow, make_window: MakeWindow, sample: Path, qtbot: QtBot,
-        tmp_path: Path,
-    ) -> None:  # fmt: skip
+        self, window, make_window, sample, qtbot, tmp_path
+    ):
         press(window, Qt.Key.Key_F7)
         window.document.walk.go_to(2)
         press(window, Qt.Key.Key_F9)
@@ -230,9 +223,7 @@ class TestVerdicts:
             np.nanmax(again.document.state.active.audits["00003"].errors_px), abs=2e-3
         )
 
-    def test_they_go_along_when_their_source_gets_another_name(
-        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_they_go_along_when_their_source_gets_another_name(self, window, qtbot, tmp_path):
         document = window.document
         window.panels.show("scores")
         press(window, Qt.Key.Key_F7)
@@ -244,8 +235,8 @@ class TestVerdicts:
         assert row["jac@5px"]
 
     def test_another_source_of_the_same_name_does_not_inherit_them(
-        self, window: MainWindow, sample: Path, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+        self, window, sample, qtbot, tmp_path
+    ):
         document = window.document
         press(window, Qt.Key.Key_F7)
         document.camera_sources.remove_camera_set(
@@ -263,7 +254,7 @@ class TestVerdicts:
         document.camera_sources.load_cameras(sample / "cameras" / "bad", name="back again")
         assert window.frames.model.info(0).verdict is FaultParty.CAMERA
 
-    def test_the_frames_can_be_filtered_by_it(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_the_frames_can_be_filtered_by_it(self, window, qtbot):
         for index in (1, 5):
             window.document.walk.go_to(index)
             press(window, Qt.Key.Key_F8)
@@ -272,7 +263,7 @@ class TestVerdicts:
         press(window, Qt.Key.Key_F8)
         qtbot.waitUntil(lambda: window.frames.model.rowCount() == 1)
 
-    def test_blind_nothing_is_marked_or_shown(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_blind_nothing_is_marked_or_shown(self, window, qtbot):
         document = window.document
         press(window, Qt.Key.Key_F7)
         document.blind_lock.set_blind(True)
@@ -283,9 +274,7 @@ class TestVerdicts:
         document.blind_lock.set_blind(False)
         assert verdict_on(document, "00001", "bad").fault is FaultParty.CAMERA
 
-    def test_blind_verdicts_on_committed_frames_only_are_exported(
-        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_blind_verdicts_on_committed_frames_only_are_exported(self, window, qtbot, tmp_path):
         document = window.document
         for index in (0, 1):
             document.walk.go_to(index)
@@ -300,9 +289,7 @@ class TestVerdicts:
         assert shown["jac@5px"]
         assert shown["largest_error_px"]
 
-    def test_nothing_to_export_is_said(
-        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
+    def test_nothing_to_export_is_said(self, window, qtbot, tmp_path):
         with qtbot.waitSignal(window.document.store.events.message) as told:
             window.triage.export(tmp_path / "v.csv")
         assert "no frame has a verdict" in told.args[0].text
@@ -315,16 +302,14 @@ class TestStatusLine:
         assert window.status.hint.toolTip() == window.status.hint.text()
         return window.status.hint.text()
 
-    def test_blind_mode_takes_back_what_was_said_of_the_camera(
-        self, window: MainWindow, qtbot: QtBot
-    ) -> None:
+    def test_blind_mode_takes_back_what_was_said_of_the_camera(self, window, qtbot):
         window.worst_first.go_worst()
         assert "JaC" in self.told(window)
         press(window, Qt.Key.Key_B)
         assert "JaC" not in self.told(window)
         qtbot.waitUntil(lambda: "BLIND" in self.told(window))
 
-    def test_what_was_said_of_a_frame_goes_with_it(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_what_was_said_of_a_frame_goes_with_it(self, window, qtbot):
         press(window, Qt.Key.Key_F7)
         assert "00001: camera fault" in self.told(window)
         all_done(qtbot)
@@ -332,7 +317,7 @@ class TestStatusLine:
         assert window.document.state.frame.name == "00002"
         assert "00001" not in self.told(window)
 
-    def test_what_leaving_a_frame_did_stays(self, window: MainWindow, qtbot: QtBot) -> None:
+    def test_what_leaving_a_frame_did_stays(self, window, qtbot):
         hand = Hand(window)
         window.document.walk.go_to(4)
         window.document.selecting.select_class("Middle line")
@@ -345,14 +330,14 @@ class TestStatusLine:
 
 class TestExplainer:
     @pytest.fixture
-    def panel(self, window: MainWindow, qtbot: QtBot):
+    def panel(self, window, qtbot):
         window.document.walk.go_to(1)
         window.panels.show("scores")
         # The panel says in its own time what the frame before had no more than three rows of.
         qtbot.waitUntil(lambda: len(window.scores.model.rows) > 3)
         return window.scores
 
-    def test_every_row_says_why(self, window: MainWindow, panel) -> None:
+    def test_every_row_says_why(self, window, panel):
         document = window.document
         expected = worst_elements_first(
             explain_score(document.judge.score, document.judge.measurement, document.state.field)
@@ -360,9 +345,7 @@ class TestExplainer:
         assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
         assert any("too far: point" in row.why for row in panel.model.rows)
 
-    def test_a_click_selects_flies_and_says_why(
-        self, window: MainWindow, panel, qtbot: QtBot
-    ) -> None:
+    def test_a_click_selects_flies_and_says_why(self, window, panel, qtbot):
         document = window.document
         rect = panel.table.visualRect(panel.model.index(0, 0))
         with qtbot.waitSignal(document.store.events.flyTo) as flown:
@@ -374,7 +357,7 @@ class TestExplainer:
         assert flown.args == pytest.approx([point.u * (width - 1), point.v * (height - 1)])
         qtbot.waitUntil(lambda: panel.why.text() == row.why)
 
-    def test_arrows_and_enter_do_the_same(self, window: MainWindow, panel, qtbot: QtBot) -> None:
+    def test_arrows_and_enter_do_the_same(self, window, panel, qtbot):
         document = window.document
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         panel.table.selectRow(0)
@@ -385,15 +368,13 @@ class TestExplainer:
         with qtbot.waitSignal(document.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Return)
 
-    def test_selecting_elsewhere_does_not_fly(
-        self, window: MainWindow, panel, qtbot: QtBot
-    ) -> None:
+    def test_selecting_elsewhere_does_not_fly(self, window, panel, qtbot):
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         with qtbot.assertNotEmitted(window.document.store.events.flyTo, wait=150):
             window.document.selecting.select_class(panel.model.rows[2].class_name)
         assert panel.why.text() == panel.model.rows[2].why
 
-    def test_the_sentence_is_never_cut_off(self, window: MainWindow, panel, qtbot: QtBot) -> None:
+    def test_the_sentence_is_never_cut_off(self, window, panel, qtbot):
         document = window.document
         longest = max(panel.model.rows, key=lambda row: len(row.why))
         document.selecting.select_class(longest.class_name)
@@ -401,7 +382,7 @@ class TestExplainer:
         all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())
 
-    def test_it_can_be_copied(self, window: MainWindow, panel) -> None:
+    def test_it_can_be_copied(self, window, panel):
         panel._copy_all()
         assert QGuiApplication.clipboard().text().splitlines() == [
             row.why for row in panel.model.rows

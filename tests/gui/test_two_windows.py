@@ -1,28 +1,19 @@
 """Two windows on one dataset: who edits a frame has it, the other one is told."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
 import textwrap
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point, Polyline
 from procc_annotator.calibration.label_check.finding import Remedy, RemedyKind
 from procc_annotator.gui.commands.review.versions_command import apply_version
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import until_kept
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, until_kept
 
 HandOn = Callable[[MainWindow], "Hand"]
 OnDisk = Callable[..., tuple[str, ...]]
@@ -41,7 +32,7 @@ def enter(window: MainWindow) -> None:
 
 
 @pytest.fixture
-def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow]:
+def both(make_window, dataset) -> tuple[MainWindow, MainWindow]:
     first, second = make_window(dataset), make_window(dataset)
     first.document.set_author("Ada")
     first.document.presence.set_dataset(dataset, "Ada")
@@ -50,7 +41,7 @@ def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow
 
 
 @pytest.fixture
-def on_disk(dataset: Path) -> OnDisk:
+def on_disk(dataset) -> OnDisk:
     """The classes that a frame's file holds, the first one's unless told otherwise."""
 
     def read(frame: int = 0) -> tuple[str, ...]:
@@ -60,9 +51,7 @@ def on_disk(dataset: Path) -> OnDisk:
     return read
 
 
-def test_the_second_window_sees_who_is_editing_and_cannot_click(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_the_second_window_sees_who_is_editing_and_cannot_click(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
@@ -73,9 +62,7 @@ def test_the_second_window_sees_who_is_editing_and_cannot_click(
     assert not second.canvas.editor.drawing
 
 
-def test_an_edit_that_finds_the_lock_free_again_opens_the_frame(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_an_edit_that_finds_the_lock_free_again_opens_the_frame(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
@@ -87,15 +74,13 @@ def test_an_edit_that_finds_the_lock_free_again_opens_the_frame(
     assert second.frame_bar.isHidden()
 
 
-def test_who_looks_only_blocks_nobody(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:
+def test_who_looks_only_blocks_nobody(both, hand_on):
     _, second = both
     hand_on(second).draw(TOP, (100, 50), (200, 50))
     assert second.document.state.annotation.get(TOP) is not None
 
 
-def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(both, hand_on):
     first, second = both
     first.document.selecting.select_class(MIDDLE)
     hand_on(first).click(100, 100)  # not finished, nothing saved yet
@@ -105,9 +90,7 @@ def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(
     assert "Ada" in second.message_bar.label.text()
 
 
-def test_it_opens_by_itself_with_the_newer_file_once_the_other_leaves(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_it_opens_by_itself_with_the_newer_file_once_the_other_leaves(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
@@ -120,9 +103,7 @@ def test_it_opens_by_itself_with_the_newer_file_once_the_other_leaves(
     assert not second.document.saver.problems
 
 
-def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     first.document.walk.next_frame()  # the second window has not looked in between
@@ -130,9 +111,7 @@ def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click
     assert second.document.state.annotation.annotated == (MIDDLE, TOP)
 
 
-def test_a_lock_that_was_cleared_away_is_taken_again(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path, tmp_path: Path
-) -> None:
+def test_a_lock_that_was_cleared_away_is_taken_again(both, hand_on, dataset, tmp_path):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     enter(first)
@@ -147,9 +126,7 @@ def test_a_lock_that_was_cleared_away_is_taken_again(
     assert not second.document.state.editable
 
 
-def test_a_frame_somebody_else_had_meanwhile_is_read_again(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path, tmp_path: Path
-) -> None:
+def test_a_frame_somebody_else_had_meanwhile_is_read_again(both, hand_on, dataset, tmp_path):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     enter(first)
@@ -164,7 +141,7 @@ def test_a_frame_somebody_else_had_meanwhile_is_read_again(
     assert not first.document.saver.problems
 
 
-def test_another_frame_is_free(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:
+def test_another_frame_is_free(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.walk.next_frame()
@@ -172,9 +149,7 @@ def test_another_frame_is_free(both: tuple[MainWindow, MainWindow], hand_on: Han
     assert second.document.state.annotation.annotated == (TOP,)
 
 
-def test_a_closed_window_leaves_no_lock(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
-) -> None:
+def test_a_closed_window_leaves_no_lock(both, hand_on, dataset):
     first, _ = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     assert list((dataset / ".procc" / "locks").iterdir())
@@ -182,9 +157,7 @@ def test_a_closed_window_leaves_no_lock(
     assert not list((dataset / ".procc" / "locks").iterdir())
 
 
-def test_the_lock_of_a_killed_program_is_gone_at_once(
-    make_window: MakeWindow, dataset: Path, hand_on: HandOn
-) -> None:
+def test_the_lock_of_a_killed_program_is_gone_at_once(make_window, dataset, hand_on):
     killed = """
         import os, signal, sys
         from pathlib import Path
@@ -202,12 +175,9 @@ def test_the_lock_of_a_killed_program_is_gone_at_once(
     assert window.document.state.annotation.annotated == (MIDDLE,)
 
 
-def test_statuses_and_comments_of_the_other_window_arrive(
-    both: tuple[MainWindow, MainWindow], qtbot: QtBot
-) -> None:
+def test_statuses_and_comments_of_the_other_window_arrive(both, qtbot):
     first, second = both
     first.document.review.add_comment("frame_0", "look here")
-    assert first.document.review.database is not None
     first.document.review.database.flush(5.0)
 
     def arrived() -> bool:
@@ -217,9 +187,7 @@ def test_statuses_and_comments_of_the_other_window_arrive(
     qtbot.waitUntil(arrived)
 
 
-def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
-) -> None:
+def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(both, hand_on, dataset):
     first, second = both
     first.document.selecting.select_class(MIDDLE)
     hand = hand_on(first)
@@ -234,9 +202,7 @@ def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
     assert (dataset / "frame_0.json").exists()
 
 
-def test_a_menu_edit_keeps_what_the_other_window_clicked(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_a_menu_edit_keeps_what_the_other_window_clicked(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
@@ -251,9 +217,7 @@ def test_a_menu_edit_keeps_what_the_other_window_clicked(
     assert second.document.state.annotation.annotated == ("Side line bottom", TOP)
 
 
-def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
@@ -269,9 +233,7 @@ def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(
     assert "changed elsewhere" in second.status.hint.text()
 
 
-def test_a_remedy_keeps_what_the_other_window_clicked(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, qtbot: QtBot
-) -> None:
+def test_a_remedy_keeps_what_the_other_window_clicked(both, hand_on, qtbot):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 102), (300, 100), (400, 200), (500, 100))
     second.document.presence.look()
@@ -297,14 +259,11 @@ def test_a_remedy_keeps_what_the_other_window_clicked(
     assert second.document.state.annotation.get("Side line bottom") is None
 
 
-def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
-    both: tuple[MainWindow, MainWindow], qtbot: QtBot
-) -> None:
+def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(both, qtbot):
     first, second = both
     told: list[str] = []
     second.document.store.events.message.connect(lambda m: told.append(m.text))
     first.document.blind_lock.set_locked(True)
-    assert first.document.review.database is not None
     first.document.review.database.flush(5.0)
     review = second.document.review
 
@@ -332,9 +291,7 @@ def _seen_by_both(first: MainWindow, second: MainWindow, hand: Hand, frame: int 
     first.document.walk.go_to(frame)
 
 
-def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
-) -> None:
+def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(both, hand_on, on_disk):
     first, second = both
     second.document.selecting.set_mode("edit")
     for frame, key in enumerate(("Delete", "Left", "element")):
@@ -357,9 +314,7 @@ def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(
     assert not second.document.saver.problems
 
 
-def test_a_key_on_what_the_other_window_changed_is_not_done(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_a_key_on_what_the_other_window_changed_is_not_done(both, hand_on):
     first, second = both
     _seen_by_both(first, second, hand_on(first))
     second.document.selecting.set_mode("edit")
@@ -382,9 +337,7 @@ def let_go(window: MainWindow) -> None:
     window.document.outside.close()
 
 
-def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
-) -> None:
+def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(both, hand_on, on_disk):
     first, second = both
     for frame, direction in enumerate(("undo", "redo")):
         hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
@@ -401,9 +354,7 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
         first.document.walk.next_frame()
 
 
-def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
-) -> None:
+def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(both, hand_on, on_disk):
     first, second = both
     hand_on(second).draw(MIDDLE, (100, 100), (200, 200))
     second.document.walk.next_frame()
@@ -428,9 +379,7 @@ def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
     assert on_disk() == (MIDDLE, TOP)
 
 
-def test_nobody_commits_what_they_have_not_seen(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn
-) -> None:
+def test_nobody_commits_what_they_have_not_seen(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     first.document.walk.next_frame()
@@ -443,13 +392,8 @@ def test_nobody_commits_what_they_have_not_seen(
 
 @pytest.mark.parametrize("in_the_middle", [True, False])
 def test_a_lost_lock_costs_nobody_an_element(
-    both: tuple[MainWindow, MainWindow],
-    hand_on: HandOn,
-    on_disk: OnDisk,
-    dataset: Path,
-    tmp_path: Path,
-    in_the_middle: bool,
-) -> None:
+    both, hand_on, on_disk, dataset, tmp_path, in_the_middle
+):
     first, second = both
     hand = hand_on(first)
     hand.draw(MIDDLE, (100, 100), (200, 200))
@@ -476,12 +420,8 @@ def test_a_lost_lock_costs_nobody_an_element(
 
 
 def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
-    both: tuple[MainWindow, MainWindow],
-    hand_on: HandOn,
-    on_disk: OnDisk,
-    tmp_path: Path,
-    qtbot: QtBot,
-) -> None:
+    both, hand_on, on_disk, tmp_path, qtbot
+):
     first, second = both
     first.document.walk.next_frame()  # both frames were read while they were empty
     foreign = tmp_path / "foreign"
@@ -494,7 +434,6 @@ def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
     importer = first.importer
     importer.ask()
     dialog = importer.dialog
-    assert dialog is not None
     dialog.replace.setChecked(False)
     importer.start(foreign)
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
@@ -503,13 +442,12 @@ def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
 
 
 def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
-) -> None:
+    both, hand_on, on_disk
+):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
     database = first.document.review.database
-    assert database is not None
     oldest = database.versions("frame_0")[-1]
     let_go(first)
     hand_on(second).draw(TOP, (100, 50), (200, 50))

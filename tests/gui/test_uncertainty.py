@@ -1,9 +1,5 @@
 """The uncertainty map: over the picture and the field map, never of an older fit."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PySide6.QtGui import QImage
@@ -14,7 +10,7 @@ from procc_annotator.calibration.prediction.uncertainty import ground_sd, map_gr
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.field_map.painting import ground_colour
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand
 
 FRAME = 1  # twelve elements
 BARE = 4  # nothing is annotated
@@ -22,7 +18,7 @@ SEEN = (-40.0, 5.0)  # on the ground, metres
 
 
 @pytest.fixture
-def shown(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+def shown(make_window, annotated, qtbot) -> MainWindow:
     """The sample with the map over its second frame."""
     window = make_window(annotated)
     window.document.walk.go_to(FRAME)
@@ -36,7 +32,7 @@ def shown(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
 
 
 @pytest.fixture
-def person(shown: MainWindow) -> Hand:
+def person(shown) -> Hand:
     return Hand(shown)
 
 
@@ -57,7 +53,7 @@ def map_image(window: MainWindow) -> QImage:
     return window.field_map.grab().toImage()
 
 
-def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
+def test_what_is_seen_of_the_field_is_covered(shown):
     changed = np.abs(pixels(shown) - shown.plain).max(axis=2) > 8
     for x, y, covered in ((500, 560, True), (1000, 500, True), (640, 40, False)):
         at = shown.canvas.to_view(x, y)
@@ -69,7 +65,7 @@ def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
         assert same != covered, ground
 
 
-def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
+def test_the_legend_gives_the_shares(shown):
     document, legend = shown.document, shown.canvas.maps.legend
     expected = map_ground_uncertainty(document.live_fit.result, document.state.field)
     assert legend.isVisible()
@@ -81,7 +77,7 @@ def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
     assert f"median {expected.statistics.median:.2f}" in legend.accessibleName()
 
 
-def test_the_status_line_says_it_of_the_cursor(shown: MainWindow, person: Hand) -> None:
+def test_the_status_line_says_it_of_the_cursor(shown, person):
     fit = shown.document.live_fit.result
     for x, y in ((640.0, 500.0), (300.0, 640.0)):
         person.move(x, y)
@@ -93,7 +89,7 @@ def test_the_status_line_says_it_of_the_cursor(shown: MainWindow, person: Hand) 
     assert shown.status.good_to.text() == ""
 
 
-def test_never_of_the_fit_before_an_edit(shown: MainWindow, qtbot: QtBot) -> None:
+def test_never_of_the_fit_before_an_edit(shown, qtbot):
     document = shown.document
     before = document.uncertainty.value
     document.selecting.select_class("Side line left")
@@ -106,7 +102,7 @@ def test_never_of_the_fit_before_an_edit(shown: MainWindow, qtbot: QtBot) -> Non
     assert after.values.statistics.median > before.values.statistics.median
 
 
-def test_another_frame_has_its_own(shown: MainWindow, qtbot: QtBot) -> None:
+def test_another_frame_has_its_own(shown, qtbot):
     document = shown.document
     for index in (2, 3, FRAME + 1):
         document.walk.go_to(index)
@@ -115,7 +111,7 @@ def test_another_frame_has_its_own(shown: MainWindow, qtbot: QtBot) -> None:
     assert document.uncertainty.value.values.fit is document.live_fit.result
 
 
-def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
+def test_without_a_camera_it_says_why(shown, qtbot):
     legend = shown.canvas.maps.legend
     shown.document.walk.go_to(BARE)
     qtbot.waitUntil(lambda: "3 needed" in legend.problem)
@@ -123,7 +119,7 @@ def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
     assert (legend.title, legend.lines) == ("", ())
 
 
-def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
+def test_blind_mode_hides_it(shown, qtbot):
     document, legend = shown.document, shown.canvas.maps.legend
     document.blind_lock.set_blind(True)
     assert document.uncertainty.value is None
@@ -136,7 +132,7 @@ def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
     arrive(shown, qtbot)
 
 
-def test_without_the_live_fit_there_is_none(shown: MainWindow, qtbot: QtBot) -> None:
+def test_without_the_live_fit_there_is_none(shown, qtbot):
     live, legend = shown.document.live_fit, shown.canvas.maps.legend
     live.set_wanted(False)
     assert "live fit is off" in legend.problem
@@ -145,7 +141,7 @@ def test_without_the_live_fit_there_is_none(shown: MainWindow, qtbot: QtBot) -> 
     assert legend.problem == ""
 
 
-def test_off_again_nothing_is_left(shown: MainWindow) -> None:
+def test_off_again_nothing_is_left(shown):
     shown.actions_["uncertainty"].trigger()
     assert not shown.canvas.maps.legend.isVisible()
     assert not shown.status.good_to.isVisible()
@@ -153,7 +149,7 @@ def test_off_again_nothing_is_left(shown: MainWindow) -> None:
     assert map_image(shown) == shown.plain_map
 
 
-def test_hiding_overlays_hides_it(shown: MainWindow) -> None:
+def test_hiding_overlays_hides_it(shown):
     shown.actions_["hide_overlays"].trigger()
     assert not shown.canvas.maps.legend.isVisible()
     at = shown.canvas.to_view(500, 560)
@@ -163,9 +159,7 @@ def test_hiding_overlays_hides_it(shown: MainWindow) -> None:
     assert shown.canvas.maps.legend.isVisible()
 
 
-def test_it_and_the_disagreement_take_turns(
-    shown: MainWindow, annotated: Path, qtbot: QtBot
-) -> None:
+def test_it_and_the_disagreement_take_turns(shown, annotated, qtbot):
     document, legend = shown.document, shown.canvas.maps.legend
     for name in ("true", "bad"):
         assert document.camera_sources.load_cameras(annotated / "cameras" / name)
@@ -182,7 +176,7 @@ def test_it_and_the_disagreement_take_turns(
     assert not shown.status.apart.isVisible()
 
 
-def test_a_homography_has_one_too(shown: MainWindow, qtbot: QtBot) -> None:
+def test_a_homography_has_one_too(shown, qtbot):
     shown.document.live_fit.set_model("H")
     qtbot.waitUntil(lambda: "(H)" in shown.canvas.maps.legend.title)
     assert shown.document.uncertainty.value.values.share_within_m(5.0) > 0.5

@@ -1,7 +1,5 @@
 """Versions are listed newest first, told apart in words, looked at, and one is chosen."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +7,6 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLabel
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
@@ -53,7 +50,7 @@ def store() -> _Store:
 
 
 @pytest.fixture
-def dialog(qtbot: QtBot, store: _Store) -> VersionsDialog:
+def dialog(qtbot, store) -> VersionsDialog:
     grass = np.full((SIZE[1], SIZE[0], 4), (60, 110, 70, 255), dtype=np.uint8)
     dialog = VersionsDialog(None, ROWS, store, grass, FIELD, SIZE)
     qtbot.addWidget(dialog)
@@ -63,7 +60,6 @@ def dialog(qtbot: QtBot, store: _Store) -> VersionsDialog:
 
 def _note(dialog: VersionsDialog) -> str:
     label = dialog.findChild(QLabel, "versionsNote")
-    assert label is not None
     return label.text()
 
 
@@ -71,7 +67,7 @@ def _choose(dialog: VersionsDialog, row: int) -> None:
     dialog.list.setCurrentIndex(dialog.model.index(row))
 
 
-def test_newest_first_with_content_and_difference(dialog: VersionsDialog) -> None:
+def test_newest_first_with_content_and_difference(dialog):
     lines = [dialog.model.lines(row) for row in range(4)]
     assert [line[1:] for line in lines] == [
         ("Author 4", "reason 4", "2 elements, 5 points  (as now)"),
@@ -82,14 +78,14 @@ def test_newest_first_with_content_and_difference(dialog: VersionsDialog) -> Non
     assert "2023" in lines[0][0]
 
 
-def test_the_newest_is_what_is_there_now_and_needs_no_restoring(dialog: VersionsDialog) -> None:
+def test_the_newest_is_what_is_there_now_and_needs_no_restoring(dialog):
     assert _note(dialog) == "This is what the frame holds now."
     assert not dialog.restore.isEnabled()
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     assert dialog.chosen_id is None
 
 
-def test_choosing_shows_and_restores(dialog: VersionsDialog) -> None:
+def test_choosing_shows_and_restores(dialog):
     _choose(dialog, 2)
     assert _note(dialog) == (
         "Compared with now: −1 element, −3 points. What differs: Far touchline."
@@ -99,13 +95,13 @@ def test_choosing_shows_and_restores(dialog: VersionsDialog) -> None:
     assert dialog.chosen_id == "2"
 
 
-def test_arrows_and_enter_do_too(dialog: VersionsDialog) -> None:
+def test_arrows_and_enter_do_too(dialog):
     QTest.keyClick(dialog.list, Qt.Key.Key_Down)
     QTest.keyClick(dialog.list, Qt.Key.Key_Return)
     assert dialog.chosen_id == "3"
 
 
-def test_closing_chooses_nothing(dialog: VersionsDialog) -> None:
+def test_closing_chooses_nothing(dialog):
     _choose(dialog, 2)
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert not dialog.isVisible()
@@ -113,7 +109,7 @@ def test_closing_chooses_nothing(dialog: VersionsDialog) -> None:
     assert dialog.chosen_id is None
 
 
-def test_polylines_are_drawn_over_the_picture(dialog: VersionsDialog) -> None:
+def test_polylines_are_drawn_over_the_picture(dialog):
     _choose(dialog, 3)  # three elements
     more = dialog.preview.grab().toImage()
     _choose(dialog, 2)  # one of them, the line in the middle
@@ -134,16 +130,14 @@ def test_polylines_are_drawn_over_the_picture(dialog: VersionsDialog) -> None:
     assert more.pixelColor(*at(0.6, 0.2)) != grass
 
 
-def test_another_annotation_than_the_newest_may_be_the_present_one(
-    qtbot: QtBot, store: _Store
-) -> None:
+def test_another_annotation_than_the_newest_may_be_the_present_one(qtbot, store):
     dialog = VersionsDialog(None, ROWS, store, None, FIELD, SIZE, current=BEFORE)
     qtbot.addWidget(dialog)
     assert dialog.model.lines(0)[3] == "2 elements, 5 points  (+1 element, +3 points)"
     assert dialog.restore.isEnabled()
 
 
-def test_a_version_that_cannot_be_read_says_so(qtbot: QtBot, store: _Store) -> None:
+def test_a_version_that_cannot_be_read_says_so(qtbot, store):
     rows = [*ROWS, VersionRow("9", "Author", 1.0e9, "saved")]
     dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE)
     qtbot.addWidget(dialog)
@@ -154,7 +148,7 @@ def test_a_version_that_cannot_be_read_says_so(qtbot: QtBot, store: _Store) -> N
     assert not dialog.restore.isEnabled()
 
 
-def test_versions_are_read_once_and_only_when_in_view(qtbot: QtBot, store: _Store) -> None:
+def test_versions_are_read_once_and_only_when_in_view(qtbot, store):
     rows = [VersionRow(str(1 + i % 4), "Author", 1.7e9 + i, "saved") for i in range(500)]
     dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE)
     qtbot.addWidget(dialog)
@@ -166,19 +160,18 @@ def test_versions_are_read_once_and_only_when_in_view(qtbot: QtBot, store: _Stor
     assert len(store.read) == seen
 
 
-def test_without_versions_it_says_so(qtbot: QtBot, store: _Store) -> None:
+def test_without_versions_it_says_so(qtbot, store):
     dialog = VersionsDialog(None, [], store, None, FIELD, SIZE)
     qtbot.addWidget(dialog)
     dialog.show()
     empty = dialog.findChild(QLabel, "versionsEmpty")
-    assert empty is not None
     assert empty.isVisible()
     assert not dialog.list.isVisible()
     assert not dialog.restore.isEnabled()
     assert store.read == []
 
 
-def test_words_for_what_counts_do_not_tell() -> None:
+def test_words_for_what_counts_do_not_tell():
     renamed = FrameAnnotation((replace(LINE, class_name="Side line left"), TOP))
     assert difference_words(renamed, NOW) == "other elements"
     assert difference_words(FrameAnnotation(), NOW) == "−2 elements, −5 points"
@@ -189,7 +182,7 @@ def test_words_for_what_counts_do_not_tell() -> None:
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_it_fits_its_size_in_both_themes(dialog: VersionsDialog, dark: bool) -> None:
+def test_it_fits_its_size_in_both_themes(dialog, dark):
     dialog.setPalette(palette(dark))
     dialog.resize(900, 600)
     assert dialog.minimumSizeHint().width() <= 900

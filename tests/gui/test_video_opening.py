@@ -1,11 +1,7 @@
 """Opening a video in the window: which frames, annotating them, keeping them as pictures."""
 
-from __future__ import annotations
-
 import threading
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -19,9 +15,6 @@ from procc_annotator.gui.commands.files.video_opening import VideoDialog
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.image.video import Video
-
-if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
 
 SIZE = (320, 180)
 FPS = 10.0
@@ -39,7 +32,7 @@ def picture_of(number: int) -> np.ndarray:
 
 
 @pytest.fixture
-def match(tmp_path: Path) -> Path:
+def match(tmp_path) -> Path:
     """Four seconds with one cut."""
     path = tmp_path / "match.avi"
     code = cv2.VideoWriter.fourcc(*"MJPG")
@@ -54,9 +47,7 @@ def asked(window: MainWindow, qtbot: QtBot, video: Path) -> VideoDialog:
     """The dialog that opening a video shows."""
     window.opening.open_path(video)
     qtbot.waitUntil(lambda: window.findChild(VideoDialog) is not None)
-    dialog = window.findChild(VideoDialog)
-    assert isinstance(dialog, VideoDialog)
-    return dialog
+    return window.findChild(VideoDialog)
 
 
 def accept(window: MainWindow, dialog: VideoDialog, qtbot: QtBot) -> None:
@@ -69,16 +60,10 @@ def accept(window: MainWindow, dialog: VideoDialog, qtbot: QtBot) -> None:
 
 def names(window: MainWindow) -> list[str]:
     workspace = window.document.state.workspace
-    assert workspace is not None
     return [frame.name for frame in workspace.frames]
 
 
-def test_a_frame_every_second_is_annotated_beside_the_video(
-    make_window: MakeWindow,
-    hand_on: Callable[[MainWindow], Hand],
-    qtbot: QtBot,
-    match: Path,
-) -> None:
+def test_a_frame_every_second_is_annotated_beside_the_video(make_window, hand_on, qtbot, match):
     window = make_window()
     dialog = asked(window, qtbot, match)
     texts = [label.text() for label in dialog.findChildren(QLabel)]
@@ -87,7 +72,6 @@ def test_a_frame_every_second_is_annotated_beside_the_video(
     assert names(window) == ["match_000000", "match_000010", "match_000020", "match_000030"]
     window.document.walk.go_to(2)
     picture = window.document.walk.picture
-    assert picture is not None
     assert abs(int(picture[20, 20, 0]) - 5 * 20) <= 4
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
     saved = match.parent / "match_frames" / "match_000020.json"
@@ -97,13 +81,10 @@ def test_a_frame_every_second_is_annotated_beside_the_video(
 
 @pytest.mark.new_window
 @pytest.mark.parametrize("chosen", ["volleyball", "tennis"])
-def test_the_dialog_shows_the_field_and_asks_it(
-    make_window: MakeWindow, qtbot: QtBot, match: Path, chosen: str
-) -> None:
+def test_the_dialog_shows_the_field_and_asks_it(make_window, qtbot, match, chosen):
     window = make_window(match, field=load_field("volleyball"))
     qtbot.waitUntil(lambda: window.findChild(VideoDialog) is not None)
     dialog = window.findChild(VideoDialog)
-    assert isinstance(dialog, VideoDialog)
     assert dialog.field.currentData() == "volleyball"
     dialog.field.setCurrentIndex(dialog.field.findData(chosen))
     accept(window, dialog, qtbot)
@@ -113,9 +94,7 @@ def test_the_dialog_shows_the_field_and_asks_it(
     assert window.findChildren(VideoDialog)[-1].field.currentData() == chosen
 
 
-def test_the_interface_opens_no_video_itself(
-    make_window: MakeWindow, qtbot: QtBot, match: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_interface_opens_no_video_itself(make_window, qtbot, match, monkeypatch):
     opened_by: list[threading.Thread] = []
     open_video = Video.open
 
@@ -132,8 +111,8 @@ def test_the_interface_opens_no_video_itself(
 
 
 def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
-    make_window: MakeWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot, match: Path
-) -> None:
+    make_window, hand_on, qtbot, match
+):
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
     window.document.walk.go_to(1)
@@ -153,8 +132,8 @@ def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
 
 
 def test_frames_worked_on_are_there_whatever_is_chosen_the_next_time(
-    make_window: MakeWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot, match: Path
-) -> None:
+    make_window, hand_on, qtbot, match
+):
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
     window.document.walk.go_to(1)
@@ -165,7 +144,7 @@ def test_frames_worked_on_are_there_whatever_is_chosen_the_next_time(
     assert names(window) == ["match_000000", "match_000010", "match_000025"]
 
 
-def test_the_first_frame_of_every_scene(make_window: MakeWindow, qtbot: QtBot, match: Path) -> None:
+def test_the_first_frame_of_every_scene(make_window, qtbot, match):
     window = make_window()
     dialog = asked(window, qtbot, match)
     dialog.cuts.setChecked(True)
@@ -175,18 +154,12 @@ def test_the_first_frame_of_every_scene(make_window: MakeWindow, qtbot: QtBot, m
     assert names(window) == ["match_000000", f"match_{CUT:06d}"]
 
 
-def test_cancelling_leaves_what_was_open(window: MainWindow, qtbot: QtBot, match: Path) -> None:
+def test_cancelling_leaves_what_was_open(window, qtbot, match):
     asked(window, qtbot, match).reject()
     assert names(window)[0] == "frame_0"
 
 
-def test_a_dataset_opened_meanwhile_wins(
-    window: MainWindow,
-    qtbot: QtBot,
-    dataset: Path,
-    match: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_dataset_opened_meanwhile_wins(window, qtbot, dataset, match, monkeypatch):
     gate, finished = threading.Event(), threading.Event()
 
     def slow(_: Video) -> None:
@@ -207,9 +180,7 @@ def test_a_dataset_opened_meanwhile_wins(
     assert names(window)[0] == "frame_0"
 
 
-def test_a_file_that_is_no_video_is_one_clear_message(
-    window: MainWindow, qtbot: QtBot, tmp_path: Path
-) -> None:
+def test_a_file_that_is_no_video_is_one_clear_message(window, qtbot, tmp_path):
     broken = tmp_path / "broken.mp4"
     broken.write_bytes(b"not a video" * 100)
     with qtbot.waitSignal(
@@ -220,8 +191,7 @@ def test_a_file_that_is_no_video_is_one_clear_message(
     assert window.findChild(VideoDialog) is None
 
 
-def test_keeping_a_picture_says_that_it_is_one(window: MainWindow, qtbot: QtBot) -> None:
+def test_keeping_a_picture_says_that_it_is_one(window, qtbot):
     with qtbot.waitSignal(window.document.store.events.message) as said:
         window.opening.keep_frame()
-    assert said.args is not None
     assert "picture already" in said.args[0].text

@@ -1,7 +1,5 @@
 """Frames grouped by their names in the window: the pattern, what it does, and the file."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -15,14 +13,13 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.dataset.landmarks.view_groups import load_views
 from procc_annotator.gui.commands.field.view_dialog import ViewDialog
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import MakeWindow
 
 NAMES = ("17_left", "17_right", "18_left", "18_right", "poster")
 BALL = [{"name": "Ball", "moving": True}, {"name": "Ball", "instant": "18", "position": [1, 2, -3]}]
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path) -> Path:
     """Two instants by two cameras, and a picture of nothing; a ball that was placed at one."""
     folder = tmp_path / "match"
     folder.mkdir()
@@ -33,7 +30,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def window(make_window: MakeWindow, folder: Path) -> MainWindow:
+def window(make_window, folder) -> MainWindow:
     window = make_window(folder)
     window.panels.show("landmarks")
     window.document.walk.go_to(2)
@@ -43,7 +40,6 @@ def window(make_window: MakeWindow, folder: Path) -> MainWindow:
 def asked(window: MainWindow, qtbot: QtBot) -> ViewDialog:
     window.actions_["group_views"].trigger()
     dialog = window.view_grouping.dialog
-    assert dialog is not None
     qtbot.waitUntil(dialog.write.isEnabled)
     return dialog
 
@@ -65,9 +61,7 @@ def press_write(dialog: ViewDialog) -> None:
     QTest.mouseClick(dialog.write, Qt.MouseButton.LeftButton)
 
 
-def test_groups_by_names_are_shown_written_and_used_at_once(
-    window: MainWindow, folder: Path, qtbot: QtBot
-) -> None:
+def test_groups_by_names_are_shown_written_and_used_at_once(window, folder, qtbot):
     assert window.landmarks.views.count() == 0
     assert window.document.judge.frame_setup.field.element("Ball") is None
     dialog = asked(window, qtbot)
@@ -88,9 +82,7 @@ def test_groups_by_names_are_shown_written_and_used_at_once(
     }
 
 
-def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(
-    window: MainWindow, qtbot: QtBot
-) -> None:
+def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(window, qtbot):
     dialog = asked(window, qtbot)
     for pattern, words in (
         ("{view}", "names no instant"),
@@ -108,9 +100,7 @@ def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(
     assert shown(dialog)[0] == ("17", "—", "17_left")
 
 
-def test_another_file_is_not_written_over_unasked(
-    window: MainWindow, folder: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_another_file_is_not_written_over_unasked(window, folder, qtbot, monkeypatch):
     answers = [False, True]
     monkeypatch.setattr(
         "procc_annotator.gui.commands.field.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
@@ -129,9 +119,7 @@ def test_another_file_is_not_written_over_unasked(
     assert len(load_views(path).frames) == 4
 
 
-def test_a_file_that_cannot_be_written_is_told_in_the_dialog(
-    window: MainWindow, folder: Path, qtbot: QtBot
-) -> None:
+def test_a_file_that_cannot_be_written_is_told_in_the_dialog(window, folder, qtbot):
     (folder / "views.csv").symlink_to(folder.parent / "elsewhere.csv")
     dialog = asked(window, qtbot)
     press_write(dialog)

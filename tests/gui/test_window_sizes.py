@@ -1,27 +1,20 @@
 """Nothing of the window is cut off where room is short: 1280x720, texts half as large again."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import QApplication, QTabBar, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.icon_button import IconButton
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand
 
-pytestmark = [
-    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
-    pytest.mark.new_window,
-]
+pytestmark = pytest.mark.new_window
 
 
 @pytest.fixture(params=[1.0, 1.5])
-def text_size(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[float]:
+def text_size(request, qapp) -> Iterator[float]:
     usual = qapp.font()
     larger = qapp.font()
     larger.setPointSizeF(usual.pointSizeF() * request.param)
@@ -35,9 +28,7 @@ def inside(widget: QWidget, window: MainWindow) -> bool:
     return far.x() <= window.width() and far.y() <= window.height()
 
 
-def test_everything_is_in_sight_at_1280x720(
-    make_window: MakeWindow, dataset: Path, qtbot: QtBot, text_size: float
-) -> None:
+def test_everything_is_in_sight_at_1280x720(make_window, dataset, qtbot, text_size):
     window = make_window(dataset, size=(1280, 720))
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 300)
     assert window.size() == QSize(1280, 720)
@@ -54,9 +45,7 @@ def test_everything_is_in_sight_at_1280x720(
                 assert tabs.tabRect(tabs.count() - 1).right() <= tabs.width()
 
 
-def test_the_class_under_the_pen_is_read(
-    make_window: MakeWindow, dataset: Path, text_size: float, qtbot: QtBot
-) -> None:
+def test_the_class_under_the_pen_is_read(make_window, dataset, text_size, qtbot):
     window = make_window(dataset, size=(1280, 720))
     hand = Hand(window)
     window.document.selecting.select_class("Goal left post left ")
@@ -72,9 +61,7 @@ def test_the_class_under_the_pen_is_read(
     hand.key(Qt.Key.Key_Escape)
 
 
-def test_the_layout_goes_back_to_what_it_was_at_first(
-    make_window: MakeWindow, dataset: Path, qtbot: QtBot
-) -> None:
+def test_the_layout_goes_back_to_what_it_was_at_first(make_window, dataset, qtbot):
     window = make_window(dataset, size=(1280, 720))
     docks = window.docks
     qtbot.waitUntil(lambda: abs(docks["elements"].width() - 320) <= 40)

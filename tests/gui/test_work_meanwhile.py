@@ -1,7 +1,5 @@
 """What is under way in the background while something else is opened, closed, edited or chosen."""
 
-from __future__ import annotations
-
 import csv
 import json
 import shutil
@@ -12,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
@@ -21,9 +18,7 @@ from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.checking import label_check
 from procc_annotator.gui.state.scoring import dataset_scores
 from procc_annotator.report import conversion
-from tests.gui.conftest import Hand, MakeWindow, let_work_end
-
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+from tests.gui.conftest import Hand, let_work_end
 
 TOP, MIDDLE, BOTTOM = "Side line top", "Middle line", "Side line bottom"
 
@@ -35,7 +30,7 @@ def annotate(folder: Path, frame: str, name: str, height: float = 0.5) -> None:
 
 
 @pytest.fixture
-def other(dataset: Path, tmp_path: Path) -> Path:
+def other(dataset, tmp_path) -> Path:
     """A dataset with pictures of the same names, annotated otherwise."""
     shutil.copytree(dataset, tmp_path / "other")
     for number in range(3):
@@ -77,9 +72,7 @@ def messages(window: MainWindow) -> list[str]:
     return told
 
 
-def test_an_export_is_of_the_dataset_it_was_asked_for(
-    make_window: MakeWindow, dataset: Path, other: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_an_export_is_of_the_dataset_it_was_asked_for(make_window, dataset, other, tmp_path, qtbot):
     window = make_window(dataset)
     let_work_end(qtbot)
     with busy():
@@ -92,17 +85,12 @@ def test_an_export_is_of_the_dataset_it_was_asked_for(
 
 
 def test_the_overview_is_exported_whole_or_not_at_all(
-    make_window: MakeWindow,
-    dataset: Path,
-    other: Path,
-    tmp_path: Path,
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    make_window, dataset, other, tmp_path, qtbot, monkeypatch
+):
     window = make_window(dataset)
     let_work_end(qtbot)
     for name in ("whole.csv", "stopped.csv"):
-        slow = Stop(window.document.state.workspace.read, 2)  # type: ignore[union-attr]
+        slow = Stop(window.document.state.workspace.read, 2)
         monkeypatch.setattr(window.document.state.workspace, "read", slow)
         window.exporter.write_overview(tmp_path / name)
         assert slow.reached.wait(10)
@@ -118,8 +106,8 @@ def test_the_overview_is_exported_whole_or_not_at_all(
 
 @pytest.mark.parametrize("what", ["overview", "provenance"])
 def test_where_points_come_from_is_exported_whole_or_not_at_all(
-    make_window: MakeWindow, dataset: Path, other: Path, tmp_path: Path, qtbot: QtBot, what: str
-) -> None:
+    make_window, dataset, other, tmp_path, qtbot, what
+):
     window = make_window(dataset)
     Hand(window).draw(MIDDLE, (100, 100), (200, 200))
     window.document.walk.next_frame()
@@ -135,8 +123,8 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
 
 
 def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
-    make_window: MakeWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+    make_window, annotated, tmp_path, qtbot
+):
     window = make_window(annotated)
     window.panels.show("plots")
     window.document.live_fit.set_wanted(False)
@@ -161,13 +149,8 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
 
 
 def test_an_export_that_another_dataset_cuts_short_is_told(
-    make_window: MakeWindow,
-    dataset: Path,
-    other: Path,
-    tmp_path: Path,
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    make_window, dataset, other, tmp_path, qtbot, monkeypatch
+):
     window = make_window(dataset)
     let_work_end(qtbot)
     slow = Stop(conversion.export_as)
@@ -181,12 +164,10 @@ def test_an_export_that_another_dataset_cuts_short_is_told(
     assert window.message_bar.isVisible()
 
 
-def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
-    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(window, qtbot, monkeypatch):
     document = window.document
     let_work_end(qtbot)
-    slow = Stop(document.state.workspace.read, 2)  # type: ignore[union-attr]
+    slow = Stop(document.state.workspace.read, 2)
     monkeypatch.setattr(document.state.workspace, "read", slow)
     assert document.landmarks.add("roof")
     assert document.landmarks.frames_with("roof") is None
@@ -200,8 +181,8 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
 
 @pytest.mark.parametrize("how", ["closed", "another annotator", "another dataset"])
 def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
-    make_window: MakeWindow, dataset: Path, other: Path, tmp_path: Path, qtbot: QtBot, how: str
-) -> None:
+    make_window, dataset, other, tmp_path, qtbot, how
+):
     for number in range(3):
         annotate(tmp_path / "second", f"frame_{number}", TOP, 0.51)
     window = make_window(dataset)
@@ -221,9 +202,7 @@ def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
     assert window.document.state.noise_floor is None  # no element is annotated by both
 
 
-def test_a_field_chosen_while_a_file_is_read_stays(
-    make_window: MakeWindow, dataset: Path, tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_a_field_chosen_while_a_file_is_read_stays(make_window, dataset, tmp_path, qtbot):
     path = tmp_path / "court.toml"
     shutil.copy(str(load_field("basketball_fiba").source), path)
     window = make_window(dataset)
@@ -242,9 +221,7 @@ def test_a_field_chosen_while_a_file_is_read_stays(
     assert window.document.state.field.name == "tennis"
 
 
-def test_an_older_check_does_not_replace_a_newer_one(
-    make_window: MakeWindow, dataset: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_older_check_does_not_replace_a_newer_one(make_window, dataset, qtbot, monkeypatch):
     window = make_window(dataset)
     document = window.document
     document.live_fit.set_wanted(False)

@@ -1,12 +1,7 @@
 """Asking where something of the dataset is written to."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
 import pytest
 from PySide6.QtWidgets import QFileDialog, QWidget
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where
@@ -25,14 +20,8 @@ TABLE, JSON = "Table (*.csv)", "JSON (*.json)"
     ],
 )
 def test_a_name_without_a_suffix_gets_that_of_its_kind(
-    dataset: Path,
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
-    kinds: str,
-    typed: str,
-    kind: str,
-    expected: str,
-) -> None:
+    dataset, qtbot, monkeypatch, kinds, typed, kind, expected
+):
     asked: list[str] = []
 
     def ask(parent: QWidget, title: str, start: str, filters: str) -> tuple[str, str]:
@@ -51,9 +40,7 @@ def test_a_name_without_a_suffix_gets_that_of_its_kind(
     document.close()
 
 
-def test_nothing_is_asked_where_nothing_is_open(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_asked_where_nothing_is_open(qtbot, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("asked"))
     parent = QWidget()
     qtbot.addWidget(parent)

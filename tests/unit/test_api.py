@@ -1,7 +1,5 @@
 """The functions other programs call: what they read, fit and score, and how they decline."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 import json
@@ -50,7 +48,7 @@ FRAME = SAMPLES / "00002.json"
 CAMERA = SAMPLES / "cameras" / "bad" / "camera_00002.json"
 
 
-def test_anything_but_one_readable_frame_is_declined(tmp_path) -> None:
+def test_anything_but_one_readable_frame_is_declined(tmp_path):
     with pytest.raises(
         UsageError, match=r"holds \d+ frames \(00001, 00002, 00003, \.\.\.\), one is"
     ):
@@ -68,7 +66,7 @@ def test_anything_but_one_readable_frame_is_declined(tmp_path) -> None:
         load_annotation(tmp_path / "empty")
 
 
-def test_fit_and_score_with_nothing_but_the_annotation() -> None:
+def test_fit_and_score_with_nothing_but_the_annotation():
     annotation = load_annotation(FRAME)
     fit = fit_camera(annotation)
     assert fit.model == "R"
@@ -81,7 +79,7 @@ def test_fit_and_score_with_nothing_but_the_annotation() -> None:
         fit_camera(annotation, model="auot")
 
 
-def test_the_score_is_that_of_the_metric() -> None:
+def test_the_score_is_that_of_the_metric():
     annotation, field = load_annotation(FRAME), load_field()
     camera = PinholeCamera(
         0.0, np.deg2rad(77), 0.0, (0.0, 62.0, -17.0), (1480.0, 1480.0), (479.5, 269.5)
@@ -96,7 +94,7 @@ def test_the_score_is_that_of_the_metric() -> None:
         evaluate(annotation, camera, protocol="soccer")
 
 
-def test_labels_of_the_turned_field_count_where_they_are_allowed() -> None:
+def test_labels_of_the_turned_field_count_where_they_are_allowed():
     annotation = load_annotation(FRAME)
     camera = fit_camera(annotation, model="P").camera
     x, y, z = camera.position_world
@@ -107,7 +105,7 @@ def test_labels_of_the_turned_field_count_where_they_are_allowed() -> None:
     assert evaluate(annotation, turned).mirrored  # as the official evaluation does anyway
 
 
-def test_a_fit_brings_its_picture_size_along() -> None:
+def test_a_fit_brings_its_picture_size_along():
     annotation = load_annotation(FRAME)
     fit = fit_camera(annotation, size=(1920, 1080))
     alone = evaluate(annotation, fit_camera(annotation))
@@ -123,7 +121,7 @@ def test_a_fit_brings_its_picture_size_along() -> None:
 
 
 @pytest.mark.parametrize("tau", [float("nan"), 0, -1, "5", None, float("inf"), True])
-def test_a_threshold_is_a_positive_number(tau) -> None:
+def test_a_threshold_is_a_positive_number(tau):
     annotation = load_annotation(FRAME)
     with pytest.raises(UsageError, match="threshold must be a positive number"):
         evaluate(annotation, fit_camera(annotation), tau=tau)
@@ -144,13 +142,13 @@ def test_a_threshold_is_a_positive_number(tau) -> None:
         ({"annotation": str(FRAME)}, r"found str \(load_annotation\(path\) reads one\)"),
     ],
 )
-def test_arguments_that_are_none_are_declined(arguments, says) -> None:
+def test_arguments_that_are_none_are_declined(arguments, says):
     given = {"annotation": load_annotation(FRAME)} | arguments
     with pytest.raises(UsageError, match=says):
         fit_camera(**given)
 
 
-def test_a_field_may_be_named() -> None:
+def test_a_field_may_be_named():
     annotation = load_annotation(FRAME, "soccer")
     fit = fit_camera(annotation, "soccer")
     assert evaluate(annotation, fit, field="soccer").jac == 1.0
@@ -160,13 +158,13 @@ def test_a_field_may_be_named() -> None:
         evaluate(annotation, np.eye(3))
 
 
-def test_a_camera_file_is_no_annotation(tmp_path) -> None:
+def test_a_camera_file_is_no_annotation(tmp_path):
     (tmp_path / "camera_1.json").write_text('{"pan_degrees": 1.0}')
     with pytest.raises(UsageError, match="is a camera file"):
         load_annotation(tmp_path / "camera_1.json")
 
 
-def test_coordinates_in_pixels_are_told(tmp_path) -> None:
+def test_coordinates_in_pixels_are_told(tmp_path):
     content = {
         name: [{"x": 959 * p["x"], "y": 539 * p["y"]} for p in points]
         for name, points in json.loads(FRAME.read_text()).items()
@@ -181,7 +179,7 @@ def test_coordinates_in_pixels_are_told(tmp_path) -> None:
         assert "look like pixels" in fit.failure
 
 
-def test_a_camera_is_found_in_a_picture_and_followed() -> None:
+def test_a_camera_is_found_in_a_picture_and_followed():
     shot = soccer_shot(100, size=(640, 360))
     pictures = [shot.frame(n)[..., :3] for n in range(3)]
     followed: list[int] = []
@@ -195,7 +193,6 @@ def test_a_camera_is_found_in_a_picture_and_followed() -> None:
     assert found.shots == ((0, 2),)
     assert set(followed) >= {0, 2}
     for frame, true in zip(found.frames, shot.cameras, strict=False):
-        assert isinstance(frame.fit.camera, PinholeCamera)
         assert abs(frame.fit.camera.pan_rad - true.pan_rad) * true.focal_px[0] < 1.5
     proposal = procc_annotator.propose_camera(pictures[0])
     assert proposal.state in ("sure", "unsure")
@@ -203,7 +200,7 @@ def test_a_camera_is_found_in_a_picture_and_followed() -> None:
     assert proposal.fit.size == (640, 360)
 
 
-def test_pictures_that_are_none(tmp_path) -> None:
+def test_pictures_that_are_none(tmp_path):
     for wrong in (np.zeros((4, 4)), np.zeros((4, 4, 3)), None, 7):
         with pytest.raises(UsageError, match="expected a picture"):
             procc_annotator.propose_camera(wrong)
@@ -224,7 +221,7 @@ def test_pictures_that_are_none(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("size", [(0, 540), (1, 540), (-5, 3), (960.5, 540), "x", (960, 540, 3)])
-def test_a_size_is_whole_pixels_two_each_way(size) -> None:
+def test_a_size_is_whole_pixels_two_each_way(size):
     annotation, shown = load_annotation(FRAME), HomographyCamera(np.eye(3))
     camera = load_camera(CAMERA)
     for asked in (
@@ -239,14 +236,14 @@ def test_a_size_is_whole_pixels_two_each_way(size) -> None:
             asked()
 
 
-def test_a_class_is_given_once() -> None:
+def test_a_class_is_given_once():
     points = [(0.1, 0.2), (0.3, 0.4)]
     with pytest.raises(UsageError, match="are the same class"):
         FrameAnnotation.from_dict({"Goal left post left": points, "Goal left post left ": points})
 
 
 @pytest.mark.parametrize("shape", [(0, 0, 3), (0, 10, 4), (1, 1, 3)])
-def test_a_picture_without_pixels_is_declined(shape) -> None:
+def test_a_picture_without_pixels_is_declined(shape):
     annotation, picture = load_annotation(FRAME), np.zeros(shape, np.uint8)
     for asked in (
         lambda: propose_camera(picture),
@@ -258,7 +255,7 @@ def test_a_picture_without_pixels_is_declined(shape) -> None:
             asked()
 
 
-def test_the_class_of_a_camera_is_no_camera() -> None:
+def test_the_class_of_a_camera_is_no_camera():
     class Mine:
         def project(self, points_world):
             return points_world[:, :2], np.ones(len(points_world), bool)
@@ -268,13 +265,13 @@ def test_the_class_of_a_camera_is_no_camera() -> None:
 
 
 @pytest.mark.parametrize("thresholds", [None, ["a"], [float("nan")]])
-def test_the_thresholds_of_a_curve_are_numbers(thresholds) -> None:
+def test_the_thresholds_of_a_curve_are_numbers(thresholds):
     with pytest.raises(UsageError, match="expected thresholds as numbers of pixels"):
         jac_curve(load_annotation(FRAME), load_camera(CAMERA), thresholds)
 
 
 @pytest.mark.parametrize("thresholds", [None, 5])
-def test_a_set_takes_several_thresholds(thresholds) -> None:
+def test_a_set_takes_several_thresholds(thresholds):
     with pytest.raises(UsageError, match="thresholds: expected numbers"):
         evaluate_set(
             {"1": load_annotation(FRAME)}, {"1": load_camera(CAMERA)}, thresholds=thresholds
@@ -284,7 +281,7 @@ def test_a_set_takes_several_thresholds(thresholds) -> None:
 # Overlay pictures as arrays, findings, and where a camera shows the field.
 
 
-def test_an_overlay_is_a_picture(sample_data) -> None:
+def test_an_overlay_is_a_picture(sample_data):
     picture = cv2.imread(str(sample_data / "00002.jpg"))
     annotation = load_annotation(sample_data / "00002.json")
     camera = load_camera(sample_data / "cameras" / "bad" / "camera_00002.json")
@@ -299,7 +296,7 @@ def test_an_overlay_is_a_picture(sample_data) -> None:
     assert half.shape == (picture.shape[0] // 2, picture.shape[1] // 2, 3)
 
 
-def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data) -> None:
+def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data):
     picture = cv2.imread(str(sample_data / "00002.jpg"))
     height, width = picture.shape[:2]
     annotation = load_annotation(sample_data / "00002.json")
@@ -311,7 +308,7 @@ def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data) -> None:
     assert (told != draw_overlay(picture, None, small.camera)).any()
 
 
-def test_what_cannot_be_drawn(tmp_path) -> None:
+def test_what_cannot_be_drawn(tmp_path):
     with pytest.raises(ImageError, match=r"no\.jpg"):
         draw_overlay(tmp_path / "no.jpg")
     with pytest.raises(UsageError, match="expected a picture"):
@@ -323,7 +320,7 @@ def test_what_cannot_be_drawn(tmp_path) -> None:
         draw_overlay(picture, scale=0)
 
 
-def test_pieces_of_the_field_in_a_picture(sample_data) -> None:
+def test_pieces_of_the_field_in_a_picture(sample_data):
     annotation = load_annotation(sample_data / "00002.json")
     fit = fit_camera(annotation)
     pieces = project_field(fit)
@@ -338,7 +335,7 @@ def test_pieces_of_the_field_in_a_picture(sample_data) -> None:
             assert (points <= (959 + 1e-6, 539 + 1e-6)).all()
 
 
-def test_mistakes_are_found(sample_data) -> None:
+def test_mistakes_are_found(sample_data):
     annotation = load_annotation(sample_data / "00002.json")
     assert not [f for f in check_labels(annotation) if f.severity == "error"]
     lines = annotation.to_dict()
@@ -350,7 +347,7 @@ def test_mistakes_are_found(sample_data) -> None:
     assert found[0].reason
 
 
-def test_nothing_of_it_needs_qt(sample_data) -> None:
+def test_nothing_of_it_needs_qt(sample_data):
     code = (
         "import sys\n"
         "for name in ('PySide6', 'pyqtgraph'): sys.modules[name] = None\n"
@@ -372,14 +369,14 @@ FUNCTIONS = [n for n in PUBLIC if inspect.isfunction(getattr(procc_annotator, n)
 CLASSES = [n for n in PUBLIC if inspect.isclass(getattr(procc_annotator, n))]
 
 
-def test_every_name_is_there_and_none_else() -> None:
+def test_every_name_is_there_and_none_else():
     assert sorted([*FUNCTIONS, *CLASSES]) == PUBLIC
     assert dir(procc_annotator) == sorted(procc_annotator.__all__)
     with pytest.raises(AttributeError, match="no attribute 'fit_cameras'"):
         procc_annotator.fit_cameras  # noqa: B018
 
 
-def test_type_checkers_are_told_the_same_names_from_the_same_places() -> None:
+def test_type_checkers_are_told_the_same_names_from_the_same_places():
     tree = ast.parse((PACKAGE / "__init__.py").read_text())
     block = next(node for node in tree.body if isinstance(node, ast.If))
     told = {
@@ -394,7 +391,7 @@ def test_type_checkers_are_told_the_same_names_from_the_same_places() -> None:
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_a_function_says_what_it_takes_gives_and_raises(name) -> None:
+def test_a_function_says_what_it_takes_gives_and_raises(name):
     function = getattr(procc_annotator, name)
     text = inspect.getdoc(function) or ""
     parts = re.split(r"^(Args|Returns|Raises):$", text, flags=re.M)
@@ -408,7 +405,7 @@ def test_a_function_says_what_it_takes_gives_and_raises(name) -> None:
 
 
 @pytest.mark.parametrize("name", CLASSES)
-def test_a_class_says_what_it_holds(name) -> None:
+def test_a_class_says_what_it_holds(name):
     kind = getattr(procc_annotator, name)
     text = inspect.getdoc(kind) or ""
     assert text.strip(), name
@@ -420,7 +417,7 @@ def test_a_class_says_what_it_holds(name) -> None:
             assert told, f"{name}.{attribute}"
 
 
-def test_what_is_returned_is_public_itself() -> None:
+def test_what_is_returned_is_public_itself():
     """Nobody has to import a private module to say what a function takes or gives."""
     for name in FUNCTIONS:
         for kind in _kinds(typing.get_type_hints(getattr(procc_annotator, name))):
@@ -437,11 +434,11 @@ def _kinds(hints: object) -> Iterator[type]:
         yield from _kinds(list(inner) if isinstance(inner, tuple) else inner)
 
 
-def test_type_checkers_know_the_package() -> None:
+def test_type_checkers_know_the_package():
     assert (PACKAGE / "py.typed").is_file()
 
 
-def test_importing_the_package_is_next_to_nothing() -> None:
+def test_importing_the_package_is_next_to_nothing():
     """Two small modules of its own, and of the standard library what most programs load."""
     program = (
         "import sys; b = set(sys.modules); import procc_annotator; print(*set(sys.modules) - b)"

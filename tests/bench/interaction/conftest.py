@@ -1,7 +1,5 @@
 """Datasets as large as real ones, and the real window on them."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import statistics

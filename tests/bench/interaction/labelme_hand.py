@@ -4,8 +4,6 @@ for.
 Arguments: as for `our_hand`, without cameras.
 """
 
-from __future__ import annotations
-
 import itertools
 import sys
 import time

@@ -4,8 +4,6 @@ Arguments: dataset, folder for settings, number of the first frame, when the pro
 (`time.monotonic`), and a folder of cameras, or none.
 """
 
-from __future__ import annotations
-
 import gc
 
 gc.disable()  # as the command does before it imports the window

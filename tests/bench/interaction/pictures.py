@@ -1,7 +1,5 @@
 """Pictures of 1920x1080 with twelve elements each, annotated for this program and for labelme."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

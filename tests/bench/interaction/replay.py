@@ -15,8 +15,6 @@ annotation is a click; the last one is a double-click, i.e. one more; then the p
 label, where one double-click on the list chooses and accepts, counted as one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -6,8 +6,6 @@ is measured first and taken off every span.
 Knows neither binding, so that the interpreter of another program can import it.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import statistics

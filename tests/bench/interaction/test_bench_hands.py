@@ -3,8 +3,6 @@
 Figures are printed, medians of many; machines differ, so nothing here fails on a time.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import time
@@ -43,7 +41,7 @@ def near_lines(window: MainWindow, count: int) -> Iterator[tuple[float, float]]:
         yield float(x), float(y)
 
 
-def test_click_with_snap(window: MainWindow, report: Report) -> None:
+def test_click_with_snap(window: MainWindow, report: Report):
     document, hand = window.document, Hand(window)
     document.walk.go_to(1)
     places = near_lines(window, 10_000)
@@ -60,7 +58,7 @@ def test_click_with_snap(window: MainWindow, report: Report) -> None:
     assert moved.mean() > 0.3  # the others are at crossings, or on no paint
 
 
-def test_snap_alone(window: MainWindow, report: Report) -> None:
+def test_snap_alone(window: MainWindow, report: Report):
     window.document.walk.go_to(1)
     picture = window.document.walk.picture
     assert picture is not None
@@ -74,7 +72,7 @@ def test_snap_alone(window: MainWindow, report: Report) -> None:
     print(f"with a known direction: {(time.perf_counter() - begin) / 300 * 1e3:.2f} ms")
 
 
-def test_regularise_a_frame(window: MainWindow, qtbot: QtBot, report: Report) -> None:
+def test_regularise_a_frame(window: MainWindow, qtbot: QtBot, report: Report):
     document = window.document
     document.walk.go_to(1)
     elements = len(document.state.annotation.polylines)
@@ -105,7 +103,7 @@ def panned(tmp_path: Path, dataset: Path) -> Path:
     return folder
 
 
-def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Report) -> None:
+def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Report):
     QSettings.setPath(
         QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(tmp_path / "settings")
     )
@@ -126,7 +124,7 @@ def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Re
 
 def test_open_a_very_large_dataset(
     benchmark: BenchmarkFixture, qtbot: QtBot, dataset: Path, tmp_path: Path
-) -> None:
+):
     """Everything up to the painted window, its database full of statuses and comments."""
     folder = tmp_path / "many"
     folder.mkdir()

@@ -3,8 +3,6 @@
 Figures are printed, medians of many; machines differ, so nothing here fails on a time.
 """
 
-from __future__ import annotations
-
 import itertools
 import time
 from collections.abc import Iterator
@@ -53,7 +51,7 @@ def sources(window: MainWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot)
     return window
 
 
-def test_switch_the_active_source(sources: MainWindow, report: Report) -> None:
+def test_switch_the_active_source(sources: MainWindow, report: Report):
     document = sources.document
     turns = itertools.cycle(range(len(SETS)))
     report(
@@ -66,7 +64,7 @@ def test_switch_the_active_source(sources: MainWindow, report: Report) -> None:
     QApplication.processEvents()
 
 
-def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report) -> None:
+def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report):
     sources.panels.show("cameras")
     QApplication.processEvents()
     document = sources.document
@@ -86,7 +84,7 @@ def _assert_shown(document: Document, turns: Iterator[int]) -> None:
 
 
 @pytest.mark.parametrize("split", [False, True], ids=["wireframes", "wireframes and split"])
-def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: bool) -> None:
+def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: bool):
     document, hand = sources.document, Hand(sources)
     document.camera_sources.set_active_camera(0)
     document.selecting.set_mode("edit")
@@ -109,7 +107,7 @@ def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: b
     QTest.mouseRelease(viewport, left, none, grip)
 
 
-def test_move_the_divider(sources: MainWindow, report: Report) -> None:
+def test_move_the_divider(sources: MainWindow, report: Report):
     sources.actions_["split"].trigger()
     split = sources.canvas.comparison.split
     places = itertools.cycle([*range(300, 900, 12), *range(900, 300, -12)])
@@ -118,7 +116,7 @@ def test_move_the_divider(sources: MainWindow, report: Report) -> None:
     assert split.x == pytest.approx(612.0, abs=1.0)
 
 
-def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot: QtBot) -> None:
+def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot: QtBot):
     document = sources.document
     indices = itertools.count(2)
 
@@ -131,7 +129,7 @@ def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot
     report("next frame, four sources", lambda: document.walk.go_to(next(indices)), 25, setup=ready)
 
 
-def test_disagreement(sources: MainWindow, report: Report, qtbot: QtBot) -> None:
+def test_disagreement(sources: MainWindow, report: Report, qtbot: QtBot):
     document = sources.document
     size, field = (1280, 720), document.state.field
     folder = document.state.sources

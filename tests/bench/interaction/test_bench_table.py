@@ -6,8 +6,6 @@ medians in ms until painted, in brackets the CPU time of the interface's thread.
 nothing here fails on a time.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import statistics
@@ -40,7 +38,7 @@ ROWS = (
 Run = dict[str, Any]
 
 
-def test_table(benchmark: BenchmarkFixture, sample_data: Path, tmp_path: Path) -> None:
+def test_table(benchmark: BenchmarkFixture, sample_data: Path, tmp_path: Path):
     ours, theirs, cameras = make_datasets(sample_data, tmp_path, FRAMES)
     labelme = os.environ.get("LABELME_PYTHON")
     runs: dict[str, list[Run]] = defaultdict(list)

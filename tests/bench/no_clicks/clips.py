@@ -1,7 +1,5 @@
 """Real shots, and the places on their paint that cameras are judged by."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

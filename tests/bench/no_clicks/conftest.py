@@ -1,7 +1,5 @@
 """What the benchmarks of cameras without a click share."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import cv2

@@ -6,8 +6,6 @@ standard deviations are true (bands of 95 % should hold 90 to 98 % of the errors
 same shot gives the same cameras in other chunks and processes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -113,7 +111,7 @@ def _errors(shot: DrawnShot, found: Track) -> dict[str, np.ndarray]:
 
 @pytest.mark.parametrize("anchored", [True, False], ids=["one camera given", "no click"])
 @pytest.mark.parametrize("name", SHOTS)
-def test_errors_and_bands(benchmark, name, anchored) -> None:
+def test_errors_and_bands(benchmark, name, anchored):
     """Each shot from its first frame's camera, and from nothing."""
     shot, _ = _pictures(name)
     found = benchmark.pedantic(lambda: _tracked(name, anchored), rounds=1)
@@ -132,7 +130,7 @@ def test_errors_and_bands(benchmark, name, anchored) -> None:
     print(f"\n{row} {' | '.join(figures)} | {held:.0f} % | {cuts} |")
 
 
-def test_the_same_cameras_in_other_chunks_and_processes(benchmark, tmp_path) -> None:
+def test_the_same_cameras_in_other_chunks_and_processes(benchmark, tmp_path):
     """A video of two shots: once more, in two processes, and only one of its shots."""
     from typer.testing import CliRunner
 

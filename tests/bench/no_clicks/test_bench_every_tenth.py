@@ -7,8 +7,6 @@ track has in sight (`test_bench_tracks` tells how good it is). So the clip that 
 judged by its track alone. ``CLIPS=River`` takes only clips with that in their names.
 """
 
-from __future__ import annotations
-
 import os
 import time
 
@@ -53,7 +51,7 @@ def _judges(clip: Clip, field: Field) -> dict[int, FrameAnnotation]:
     return judges
 
 
-def test_every_tenth_frame(benchmark, shared_data) -> None:
+def test_every_tenth_frame(benchmark, shared_data):
     """Nothing known, each frame by itself."""
     soccer = load_field("soccer")
 

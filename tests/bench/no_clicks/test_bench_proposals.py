@@ -6,8 +6,6 @@ at 960x540. ``DRAWN=200`` draws so many frames of each sport (otherwise 50). Tim
 processor.
 """
 
-from __future__ import annotations
-
 import os
 import time
 from collections import Counter
@@ -58,7 +56,7 @@ class Tally:
         if found.state == SURE and not right:
             self.wrong.append(name)
 
-    def plus(self, others: Iterable[Tally]) -> Tally:
+    def plus(self, others: "Iterable[Tally]") -> "Tally":
         total = Tally(Counter(self.counts), list(self.seconds), list(self.wrong))
         for other in others:
             total.counts.update(other.counts)
@@ -105,7 +103,7 @@ def proposed(
 
 
 @pytest.mark.parametrize("known", [False, True], ids=["nothing known", "position known"])
-def test_clips(benchmark, shared_data, known) -> None:
+def test_clips(benchmark, shared_data, known):
     """Frames of real shots; also with the positions that the sure ones of a shot agree on."""
     soccer = load_field("soccer")
 
@@ -134,7 +132,7 @@ def test_clips(benchmark, shared_data, known) -> None:
 
 
 @pytest.mark.parametrize("name", ARENAS)
-def test_drawn_frames(benchmark, name) -> None:
+def test_drawn_frames(benchmark, name):
     """Random cameras that the field file allows, pictures with people, noise and loss."""
     stage = stage_of(name)
     views = Views(stage.field)

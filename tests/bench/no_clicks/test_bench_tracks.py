@@ -6,8 +6,6 @@ without a camera count as beyond. Frames a second are those of the processor's t
 ``CLIPS=River`` takes only clips with that in their names.
 """
 
-from __future__ import annotations
-
 import os
 import time
 from collections.abc import Sequence
@@ -86,7 +84,7 @@ def _followed(clip: Clip, anchors: dict[int, Any]) -> Followed:
 
 
 @pytest.mark.parametrize("begin", ["no click", "one annotated frame"])
-def test_tracks(benchmark, shared_data, begin) -> None:
+def test_tracks(benchmark, shared_data, begin):
     """Every clip from its own pictures alone, or from the frame with most listed elements."""
     soccer = load_field("soccer")
 

@@ -1,7 +1,5 @@
 """What is counted of snapping, regularising and ghosts against the truth."""
 
-from __future__ import annotations
-
 import time
 from collections import defaultdict
 from collections.abc import Sequence

@@ -4,8 +4,6 @@ Snapping from 4 px beside the paint, regularising and accepted ghosts, against p
 eye (`truth`). Printed are tables; speeds are processor times.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 
 import numpy as np
@@ -25,7 +23,7 @@ from tests.bench.paint.truth import truth_frames
 
 
 @pytest.mark.parametrize("given", ["nothing", "direction", "camera"])
-def test_snapping(benchmark, shared_data, given) -> None:
+def test_snapping(benchmark, shared_data, given):
     """Knowing the class alone, the line's direction as well, or the frame's camera."""
 
     def run() -> dict[tuple[str, str], Snaps]:
@@ -56,7 +54,7 @@ def test_snapping(benchmark, shared_data, given) -> None:
     print(f"a snap: {1e3 * np.median(seconds):.2f} ms, 95 % {1e3 * np.percentile(seconds, 95):.2f}")
 
 
-def test_regularising(benchmark, shared_data) -> None:
+def test_regularising(benchmark, shared_data):
     """Every element of every frame, clicked by a hand."""
 
     def run() -> dict[str, Regular]:
@@ -81,7 +79,7 @@ def test_regularising(benchmark, shared_data) -> None:
         )
 
 
-def test_accepted_ghosts(benchmark, shared_data) -> None:
+def test_accepted_ghosts(benchmark, shared_data):
     """Four elements clicked, all ghosts accepted."""
 
     def run() -> dict[str, Accepted]:

@@ -8,8 +8,6 @@ Where two lines meet at a shallow angle, an eye sees the end to 3 px only: there
 measured from 14 to 70 px beside it (half the height of profiles across), and continued straight.
 """
 
-from __future__ import annotations
-
 import json
 from dataclasses import dataclass
 from functools import cache, cached_property

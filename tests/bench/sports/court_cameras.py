@@ -4,8 +4,6 @@ The pictures of these cameras are cut out of larger ones: their principal points
 1,400 px from the centre.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from pathlib import Path

@@ -5,8 +5,6 @@ is recovered if it shows the field in its picture within 5 px (median) of where 
 Printed are the rows of the table in docs/fitting.md.
 """
 
-from __future__ import annotations
-
 import time
 
 import numpy as np
@@ -28,7 +26,7 @@ _SURE = 0.9
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_fit_plausible_cameras(benchmark, name) -> None:
+def test_fit_plausible_cameras(benchmark, name):
     """Share recovered, processor time of a cold fit, and how many elements are needed."""
     views = Views(load_field(name))
     rng = np.random.default_rng(2024)
@@ -69,7 +67,7 @@ def test_fit_plausible_cameras(benchmark, name) -> None:
 
 
 @pytest.mark.parametrize("model", ["R+", "auto"])
-def test_fit_court_cameras(benchmark, shared_data, model) -> None:
+def test_fit_court_cameras(benchmark, shared_data, model):
     """The 248 real cameras of basketball courts, fitted back to what they show."""
     cameras = read_cameras(shared_data / "deepsportradar")
     views = Views(load_field("basketball_fiba"))
@@ -84,7 +82,7 @@ def test_fit_court_cameras(benchmark, shared_data, model) -> None:
 
 
 @pytest.mark.parametrize("noise_px", [0.5, 1.0])
-def test_fit_clicks_on_the_middle_of_paint(benchmark, shared_data, noise_px) -> None:
+def test_fit_clicks_on_the_middle_of_paint(benchmark, shared_data, noise_px):
     """The same cameras, clicked on the middle of the paint, fitted with either choice of lines."""
     cameras = read_cameras(shared_data / "deepsportradar")
     measured = load_field("basketball_fiba")

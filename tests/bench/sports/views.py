@@ -1,7 +1,5 @@
 """Plausible cameras around any field, and what an annotator would click on their pictures."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

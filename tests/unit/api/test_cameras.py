@@ -1,7 +1,5 @@
 """Cameras from matrices and functions, and cameras of others whose answers are checked."""
 
-from __future__ import annotations
-
 import pickle
 from dataclasses import replace
 
@@ -44,7 +42,7 @@ def the_same(camera, places=PLACES) -> None:
     np.testing.assert_allclose(px[valid], expected[seen], atol=1e-6)
 
 
-def test_a_camera_from_opencv_s_matrices() -> None:
+def test_a_camera_from_opencv_s_matrices():
     the_same(camera_from_krt(K, R, T, size=SIZE))
     the_same(camera_from_krt(K.tolist(), cv2.Rodrigues(R)[0], T[:, None]))
     bent = camera_from_krt(K, R, T, distortion=(-0.1, 0.02, 0.001, 0.002))
@@ -64,13 +62,13 @@ def test_a_camera_from_opencv_s_matrices() -> None:
         ((K + np.array([[0, 5, 0], [0, 0, 0], [0, 0, 0]]), R, T), "skew"),
     ],
 )
-def test_matrices_that_are_no_camera(given, says) -> None:
+def test_matrices_that_are_no_camera(given, says):
     with pytest.raises(UsageError, match=says):
         camera_from_krt(*given)
 
 
 @pytest.mark.parametrize("fisheye", [False, True])
-def test_the_distortion_as_opencv_gives_it(fisheye) -> None:
+def test_the_distortion_as_opencv_gives_it(fisheye):
     row = np.array([[-0.1, 0.02, 0.0, 0.0]])
     expected = camera_from_krt(K, R, T, distortion=row[0].tolist(), fisheye=fisheye)
     for given in (row, row.T):
@@ -82,7 +80,7 @@ def test_the_distortion_as_opencv_gives_it(fisheye) -> None:
 
 
 @pytest.mark.parametrize("factor", [1.0, -1.0, 1e-4, -3e5])
-def test_a_camera_from_a_projection_matrix_of_any_scale(factor) -> None:
+def test_a_camera_from_a_projection_matrix_of_any_scale(factor):
     camera = camera_from_projection(factor * P)
     the_same(camera)
     the_same(camera, CAMERA.position_world + PLACES / 40)  # all about it, behind it too
@@ -98,7 +96,7 @@ def test_a_camera_from_a_projection_matrix_of_any_scale(factor) -> None:
     np.testing.assert_allclose(larger, CAMERA.scaled(SIZE, (1920, 1080)).project(PLACES)[0])
 
 
-def test_a_projection_matrix_may_have_a_skew() -> None:
+def test_a_projection_matrix_may_have_a_skew():
     skewed = K + np.array([[0.0, 9.0, 0.0], [0, 0, 0], [0, 0, 0]])
     camera = camera_from_projection(skewed @ np.column_stack((R, T)), size=SIZE)
     assert isinstance(camera, MatrixCamera)
@@ -111,7 +109,7 @@ def test_a_projection_matrix_may_have_a_skew() -> None:
             camera_from_projection(wrong)
 
 
-def test_a_camera_from_a_homography_either_way() -> None:
+def test_a_camera_from_a_homography_either_way():
     ground = PLACES * (1, 1, 0)
     matrix = P[:, [0, 1, 3]]
     for camera in (
@@ -131,7 +129,7 @@ def through_opencv(points: np.ndarray) -> np.ndarray:
     return px
 
 
-def test_a_function_is_judged_as_the_camera_it_is(sample_data) -> None:
+def test_a_function_is_judged_as_the_camera_it_is(sample_data):
     annotation = load_annotation(sample_data / "00002.json")
     true = load_camera(sample_data / "cameras" / "true" / "camera_00002.json")
     found = evaluate(annotation, true)
@@ -185,7 +183,7 @@ def nan_marked_as_valid(px, valid):
         ),
     ],
 )
-def test_answers_that_are_no_projection_are_told(answer, says, sample_data) -> None:
+def test_answers_that_are_no_projection_are_told(answer, says, sample_data):
     annotation = load_annotation(sample_data / "00002.json")
     for protocol in ("soccernet", "procc"):
         with pytest.raises(UsageError, match=says):
@@ -202,7 +200,7 @@ def test_answers_that_are_no_projection_are_told(answer, says, sample_data) -> N
         evaluate(annotation, Custom(answer), size=(1280, 720), camera_size=SIZE)
 
 
-def test_pixels_of_whole_numbers_and_single_precision_will_do(sample_data) -> None:
+def test_pixels_of_whole_numbers_and_single_precision_will_do(sample_data):
     annotation = load_annotation(sample_data / "00002.json")
     camera = load_camera(sample_data / "cameras" / "true" / "camera_00002.json").camera
     exact = evaluate(annotation, camera)
@@ -215,7 +213,7 @@ def test_pixels_of_whole_numbers_and_single_precision_will_do(sample_data) -> No
     assert evaluate(annotation, Single()).jac == exact.jac
 
 
-def test_what_a_camera_offers_besides_is_used() -> None:
+def test_what_a_camera_offers_besides_is_used():
     class Ground(Custom):
         ground_only = True
         model = "of the ground"
@@ -235,7 +233,7 @@ def test_what_a_camera_offers_besides_is_used() -> None:
     np.testing.assert_allclose(twice[name][0][0], 2 * pieces[name][0][0], atol=1.0)
 
 
-def test_what_is_no_camera_says_what_would_be() -> None:
+def test_what_is_no_camera_says_what_would_be():
     for wrong, says in (
         (np.eye(3), "camera_from_homography"),
         (through_opencv, "camera_from_function"),
@@ -248,7 +246,7 @@ def test_what_is_no_camera_says_what_would_be() -> None:
         camera_from_function(CAMERA)
 
 
-def test_a_matrix_camera_travels() -> None:
+def test_a_matrix_camera_travels():
     skewed = (K + np.array([[0.0, 9.0, 0.0], [0, 0, 0], [0, 0, 0]])) @ np.column_stack((R, T))
     camera = camera_from_projection(skewed)
     assert isinstance(camera, MatrixCamera)

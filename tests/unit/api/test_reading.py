@@ -1,7 +1,5 @@
 """Datasets, annotations and cameras as values, and what becomes of damaged files."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from dataclasses import replace
@@ -34,7 +32,7 @@ from procc_annotator.report.conversion import convert_annotations
 from procc_annotator.report.conversion_output import ConversionRequest
 
 
-def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data) -> None:
+def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data):
     dataset = load_dataset(sample_data)
     assert dataset.field.name == "soccer"
     assert list(dataset.pictures) == [f"{n:05}" for n in range(1, 15)]
@@ -47,7 +45,7 @@ def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data) ->
     assert load_dataset(sample_data / "ice_hockey", "soccer").field.name == "soccer"
 
 
-def test_annotations_may_lie_in_a_folder_of_their_own(sample_data, tmp_path) -> None:
+def test_annotations_may_lie_in_a_folder_of_their_own(sample_data, tmp_path):
     inner = tmp_path / "annotations"
     inner.mkdir()
     shutil.copy(sample_data / "00002.json", inner)
@@ -62,7 +60,7 @@ def test_annotations_may_lie_in_a_folder_of_their_own(sample_data, tmp_path) -> 
         load_dataset(tmp_path)
 
 
-def test_frames_of_a_tree_are_called_by_their_paths(sample_data, tmp_path) -> None:
+def test_frames_of_a_tree_are_called_by_their_paths(sample_data, tmp_path):
     for match in ("a/img1", "b/img1"):
         (tmp_path / match).mkdir(parents=True)
         shutil.copy(sample_data / "00002.json", tmp_path / match)
@@ -75,7 +73,7 @@ def test_frames_of_a_tree_are_called_by_their_paths(sample_data, tmp_path) -> No
     assert dataset.size_of(names[0]) == (1280, 720)
 
 
-def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data, tmp_path) -> None:
+def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data, tmp_path):
     shutil.copy(sample_data / "00005.jpg", tmp_path)  # not annotated
     told = json.loads((sample_data / "00002.json").read_text())
     told |= {"image_width": 1920, "image_height": 1080}
@@ -88,7 +86,7 @@ def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data, tmp_path) -> Non
 
 
 @pytest.mark.parametrize("fmt", ["labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_every_format_is_read_as_the_commands_do(sample_data, tmp_path, fmt) -> None:
+def test_every_format_is_read_as_the_commands_do(sample_data, tmp_path, fmt):
     """Sizes that a file leaves out are those of the pictures around it."""
     own = load_annotations(sample_data)
     convert_annotations(sample_data, tmp_path / "out", ConversionRequest(fmt), load_field())
@@ -100,7 +98,7 @@ def test_every_format_is_read_as_the_commands_do(sample_data, tmp_path, fmt) -> 
         }
 
 
-def test_a_second_annotation_of_a_frame_is_told(tmp_path) -> None:
+def test_a_second_annotation_of_a_frame_is_told(tmp_path):
     shape = '<polyline label="Middle line" points="0.0,0.0;10.0,10.0" occluded="0"></polyline>'
     images = "".join(
         f'<image id="{n}" name="1.{suffix}" width="960" height="540">{shape}</image>'
@@ -116,13 +114,13 @@ def test_a_second_annotation_of_a_frame_is_told(tmp_path) -> None:
         load_annotations(tmp_path)
 
 
-def test_a_real_set_of_another_program_is_read(shared_data) -> None:
+def test_a_real_set_of_another_program_is_read(shared_data):
     found = load_annotations(shared_data / "foreign" / "tennis_cvat_test.xml", "tennis")
     assert len(found) == 23
     assert load_dataset(shared_data / "foreign" / "tennis_cvat_test.xml").sizes["01"][0] > 100
 
 
-def test_damaged_annotations_are_raised_or_told(sample_data, tmp_path) -> None:
+def test_damaged_annotations_are_raised_or_told(sample_data, tmp_path):
     shutil.copy(sample_data / "00002.json", tmp_path)
     (tmp_path / "00003.json").write_text('{"Middle line": [{"x": 0.5}]}')
     with pytest.raises(AnnotationError, match=r"00003.json: Middle line\[0\]"):
@@ -134,7 +132,7 @@ def test_damaged_annotations_are_raised_or_told(sample_data, tmp_path) -> None:
     assert "the coordinate 'y'" in str(problem)
 
 
-def test_cameras_know_the_picture_size_of_their_files(sample_data, tmp_path) -> None:
+def test_cameras_know_the_picture_size_of_their_files(sample_data, tmp_path):
     cameras = load_cameras(sample_data / "cameras" / "homography")
     assert {camera.model for camera in cameras.values()} == {"homography"}
     assert {camera.size for camera in cameras.values()} == {(1280, 720)}
@@ -155,7 +153,7 @@ def test_cameras_know_the_picture_size_of_their_files(sample_data, tmp_path) -> 
         load_camera(sample_data / "cameras" / "homography")
 
 
-def test_an_annotation_from_and_to_plain_values(sample_data) -> None:
+def test_an_annotation_from_and_to_plain_values(sample_data):
     content = json.loads((sample_data / "00002.json").read_text())
     annotation = FrameAnnotation.from_dict(content)
     assert annotation == load_annotation(sample_data / "00002.json")
@@ -182,12 +180,12 @@ def test_an_annotation_from_and_to_plain_values(sample_data) -> None:
         ({"Middle line": "abc"}, "expected a list of points, found str"),
     ],
 )
-def test_plain_values_that_are_no_annotation(wrong, says) -> None:
+def test_plain_values_that_are_no_annotation(wrong, says):
     with pytest.raises(UsageError, match=says):
         FrameAnnotation.from_dict(wrong)
 
 
-def test_names_of_others_are_told_by_a_map(sample_data, tmp_path) -> None:
+def test_names_of_others_are_told_by_a_map(sample_data, tmp_path):
     own = load_annotation(sample_data / "00002.json")
     content = {f"x {p.class_name}": [{"x": q.u, "y": q.v} for q in p.points] for p in own}
     (tmp_path / "00002.json").write_text(json.dumps(content))
@@ -201,7 +199,7 @@ def test_names_of_others_are_told_by_a_map(sample_data, tmp_path) -> None:
     assert load_dataset(tmp_path).annotations["00002"] == own
 
 
-def test_a_bare_homography_is_of_one_sport(tmp_path) -> None:
+def test_a_bare_homography_is_of_one_sport(tmp_path):
     np.save(tmp_path / "1.npy", np.diag([0.1, 0.1, 1.0]))
     camera = load_camera(tmp_path / "1.npy")
     annotation = FrameAnnotation.from_dict({"Baseline left": [(0.1, 0.2), (0.3, 0.4)]})
@@ -225,7 +223,7 @@ GROUND = np.random.default_rng(5).uniform((-60, -40, 0), (60, 40, 0), (50, 3))
     [("soccernet", "camera_1.json"), ("opencv", "1.yml"), ("krt", "1.json"),
      ("wc14", "1.homographyMatrix"), ("carwc", "1.npy"), ("world", "1.txt")],
 )  # fmt: skip
-def test_what_is_written_is_read_again(tmp_path, format, name) -> None:
+def test_what_is_written_is_read_again(tmp_path, format, name):
     lost = save_camera(CAMERA, tmp_path / name, format=format, size=SIZE)
     read = load_camera(tmp_path / name, format="auto" if format in ("soccernet", "krt") else format)
     again = read.camera
@@ -237,7 +235,7 @@ def test_what_is_written_is_read_again(tmp_path, format, name) -> None:
     assert ("everything off the ground" in lost) == (read.model == "homography")
 
 
-def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(sample_data, tmp_path) -> None:
+def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(sample_data, tmp_path):
     annotation = load_annotation(sample_data / "00002.json")
     fit = fit_camera(annotation, size=(1280, 720))
     assert save_camera(fit, tmp_path / "camera_00002.json", fitted_to=annotation) == ()
@@ -259,14 +257,14 @@ def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(sample_data, 
         )
 
 
-def test_a_camera_from_a_file_keeps_what_the_file_said(sample_data, tmp_path) -> None:
+def test_a_camera_from_a_file_keeps_what_the_file_said(sample_data, tmp_path):
     given = load_camera(sample_data / "cameras" / "true" / "camera_00002.json")
     given = replace(given, content={**given.content, "note": "by hand"})
     save_camera(given, tmp_path / "camera_2.json")
     assert load_camera(tmp_path / "camera_2.json").extra["note"] == "by hand"
 
 
-def test_what_cannot_be_written_is_told_and_nothing_is(tmp_path) -> None:
+def test_what_cannot_be_written_is_told_and_nothing_is(tmp_path):
     file = tmp_path / "camera_1.json"
     homography = camera_from_homography(
         calibration_matrix(CAMERA)

@@ -1,7 +1,5 @@
 """Scores of sets: the figures of the command, tables, and what chance leaves."""
 
-from __future__ import annotations
-
 import shutil
 import sys
 from operator import attrgetter
@@ -31,7 +29,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 
 
 @pytest.mark.parametrize(("method", "protocol"), [("bad", "soccernet"), ("homography", "procc")])
-def test_the_figures_are_those_of_the_command(sample_data, method, protocol) -> None:
+def test_the_figures_are_those_of_the_command(sample_data, method, protocol):
     taus = (2.0, 5.0)
     cameras = sample_data / "cameras" / method
     setup = EvaluationSetup(load_field(), (960, 540), protocol)
@@ -51,7 +49,7 @@ def test_the_figures_are_those_of_the_command(sample_data, method, protocol) -> 
 
 
 @pytest.mark.parametrize("off_plane", ["missed", "left_out"])
-def test_cameras_that_know_the_ground_alone_are_known_as_such(sample_data, off_plane) -> None:
+def test_cameras_that_know_the_ground_alone_are_known_as_such(sample_data, off_plane):
     cameras = sample_data / "cameras" / "homography"
     setup = EvaluationSetup(load_field(), (960, 540), off_plane=off_plane)
     with open_source(sample_data) as source, CameraCollection.open(cameras) as collection:
@@ -62,7 +60,7 @@ def test_cameras_that_know_the_ground_alone_are_known_as_such(sample_data, off_p
     assert found._sums.ground_only
 
 
-def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(sample_data, tmp_path) -> None:
+def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(sample_data, tmp_path):
     annotations = load_annotations(sample_data)
     names = ("00001", "00002")
     for name in names:
@@ -85,7 +83,7 @@ def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(sample_data,
     assert method.differences(some)[5.0]["mean_jac"].value is not None
 
 
-def test_annotations_and_cameras_may_be_values(sample_data) -> None:
+def test_annotations_and_cameras_may_be_values(sample_data):
     dataset = load_dataset(sample_data)
     cameras = load_cameras(sample_data / "cameras" / "bad")
     score = evaluate_set(dataset, cameras)
@@ -100,7 +98,7 @@ def test_annotations_and_cameras_may_be_values(sample_data) -> None:
     assert evaluate_set(dataset, larger).summaries[5.0].mean_jac > 0.9
 
 
-def test_rows_and_classes(sample_data) -> None:
+def test_rows_and_classes(sample_data):
     annotations = load_annotations(sample_data)
     cameras = dict(list(load_cameras(sample_data / "cameras" / "true").items())[:4])
     score = evaluate_set(annotations, cameras, thresholds=(2.0, 5.0))
@@ -120,7 +118,7 @@ def test_rows_and_classes(sample_data) -> None:
     assert classes[0]["jac"] == summary.per_class[classes[0]["class"]].jac
 
 
-def test_a_dataframe_where_there_is_pandas(sample_data, monkeypatch) -> None:
+def test_a_dataframe_where_there_is_pandas(sample_data, monkeypatch):
     cameras = sample_data / "cameras" / "true"
     score = evaluate_set(sample_data, cameras)
     monkeypatch.setitem(sys.modules, "pandas", None)
@@ -134,7 +132,7 @@ def test_a_dataframe_where_there_is_pandas(sample_data, monkeypatch) -> None:
     assert frame["jac"].mean() == pytest.approx(score.summaries[5.0].mean_jac)
 
 
-def test_the_curve_goes_through_the_figures(sample_data) -> None:
+def test_the_curve_goes_through_the_figures(sample_data):
     annotations = load_annotations(sample_data)
     cameras = load_cameras(sample_data / "cameras" / "bad")
     score = evaluate_set(annotations, cameras, thresholds=(2.0, 5.0))
@@ -147,7 +145,7 @@ def test_the_curve_goes_through_the_figures(sample_data) -> None:
     assert one.tolist() == [score.frames[name][5.0].jac, score.frames[name][2.0].jac]
 
 
-def test_intervals_and_differences(sample_data) -> None:
+def test_intervals_and_differences(sample_data):
     dataset = load_dataset(sample_data)
     good, bad = (evaluate_set(dataset, sample_data / "cameras" / m) for m in ("true", "bad"))
     match = {name: str(int(name) // 3) for name in dataset.annotations}
@@ -167,7 +165,7 @@ def test_intervals_and_differences(sample_data) -> None:
         good.differences(evaluate_set(dataset, sample_data / "cameras" / "bad", protocol="procc"))
 
 
-def test_what_cannot_be_scored(sample_data) -> None:
+def test_what_cannot_be_scored(sample_data):
     annotations = load_annotations(sample_data)
     with pytest.raises(UsageError, match="no frame that is annotated has a camera"):
         evaluate_set(annotations, {"other": None})
@@ -185,7 +183,7 @@ def test_what_cannot_be_scored(sample_data) -> None:
         evaluate_set(annotations, {}, thresholds=())
 
 
-def test_the_path_of_a_dataset_tells_its_field_as_well(sample_data) -> None:
+def test_the_path_of_a_dataset_tells_its_field_as_well(sample_data):
     place = sample_data / "basketball"
     by_path = evaluate_set(place, place / "cameras" / "bad")
     assert (
@@ -198,7 +196,7 @@ def test_the_path_of_a_dataset_tells_its_field_as_well(sample_data) -> None:
     assert nominal.described == "soccernet, 960x540"
 
 
-def test_other_thresholds_are_no_other_frames(sample_data) -> None:
+def test_other_thresholds_are_no_other_frames(sample_data):
     one, other = (
         evaluate_set(sample_data, sample_data / "cameras" / "bad", thresholds=taus)
         for taus in ((5.0,), (5.0, 2.0))
@@ -207,7 +205,7 @@ def test_other_thresholds_are_no_other_frames(sample_data) -> None:
         one.differences(other)
 
 
-def test_annotations_in_pixels_are_told(sample_data) -> None:
+def test_annotations_in_pixels_are_told(sample_data):
     annotations = load_annotations(sample_data)
     name = "00002"
     px = FrameAnnotation.from_dict(annotations[name].to_dict(size=(960, 540)))
@@ -217,7 +215,7 @@ def test_annotations_in_pixels_are_told(sample_data) -> None:
         evaluate_set({name: FrameAnnotation()}, {name: fit_camera(annotations[name])})
 
 
-def test_frames_are_found_however_cameras_call_them(sample_data, tmp_path) -> None:
+def test_frames_are_found_however_cameras_call_them(sample_data, tmp_path):
     """Without the folder of pictures, composed otherwise, in the only folder of their place."""
     for place in ("set/cafe\u0301/img1", "cameras/caf\u00e9"):
         (tmp_path / place).mkdir(parents=True)

@@ -1,7 +1,5 @@
 """Elements carried to another picture end where their lines leave it, and nowhere else."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest
@@ -38,7 +36,7 @@ def carried(
     return points_px(moved, SIZE)
 
 
-def test_a_line_along_the_edge_keeps_its_length(views) -> None:
+def test_a_line_along_the_edge_keeps_its_length(views):
     found = carried(views, (957, 200), (956, 300))
     assert found == pytest.approx(np.array([(957 - SHIFT, 200), (956 - SHIFT, 300)]), abs=7)
 
@@ -46,7 +44,7 @@ def test_a_line_along_the_edge_keeps_its_length(views) -> None:
 @pytest.mark.parametrize(("end", "reached"), [(1150, SIZE[0] - 1), (985, 955 - SHIFT)])
 def test_a_line_that_left_the_picture_is_continued_to_its_edge_if_it_is_seen_there(
     views, end, reached
-) -> None:
+):
     """Else its own end came into sight."""
     drawn = [view // 4 for view in views]
     for picture, shift in zip(drawn, (0, SHIFT), strict=True):
@@ -57,7 +55,7 @@ def test_a_line_that_left_the_picture_is_continued_to_its_edge_if_it_is_seen_the
     assert found[-1, 0] == pytest.approx(reached, abs=7)
 
 
-def test_what_leaves_the_picture_is_cut_off_at_its_edge(views) -> None:
+def test_what_leaves_the_picture_is_cut_off_at_its_edge(views):
     found = carried(views, (20, 300), (400, 300))
     assert found[0, 0] == pytest.approx(0, abs=1)
     assert found[-1] == pytest.approx([400 - SHIFT, 300], abs=7)
@@ -84,7 +82,7 @@ def drawn_arc(shift: int, *players: tuple[int, int]) -> PixelArray:
     return bgra_from_bgr(np.ascontiguousarray(scene[:, shift : SIZE[0] + shift]))
 
 
-def test_a_bend_behind_a_player_stays_and_is_told() -> None:
+def test_a_bend_behind_a_player_stays_and_is_told():
     x, y = ARC[6].round().astype(int).tolist()
     polyline = Polyline("Circle right", tuple(point_from_px(*p, SIZE) for p in ARC.tolist()))
     field, views = load_field(), [drawn_arc(0), drawn_arc(40, (x, y))]

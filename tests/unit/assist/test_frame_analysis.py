@@ -1,7 +1,5 @@
 """What follows from the clicks of one frame."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -22,7 +20,6 @@ from procc_annotator.calibration.label_check.finding import (
 )
 from procc_annotator.calibration.prediction.visible_elements import visible_stretches
 from procc_annotator.calibration.result import FitResult, external_camera_fit
-from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
@@ -40,7 +37,7 @@ def clicked(sample_data) -> FrameAnnotation:
     return FrameAnnotation(tuple(p for p in annotation if p.class_name in SOME))
 
 
-def test_out_of_sight_is_what_the_camera_has_nowhere_in_the_picture(clicked) -> None:
+def test_out_of_sight_is_what_the_camera_has_nowhere_in_the_picture(clicked):
     insight = analyse_frame(clicked, FIELD, size=SIZE)
     assert insight.fit.camera is not None
     away = insight.out_of_sight(FIELD)
@@ -52,13 +49,13 @@ def test_out_of_sight_is_what_the_camera_has_nowhere_in_the_picture(clicked) -> 
     assert {"Penalty mark right", "Corner arc right top"} <= away
 
 
-def test_a_homography_says_nothing_of_what_is_off_the_ground(clicked) -> None:
+def test_a_homography_says_nothing_of_what_is_off_the_ground(clicked):
     away = analyse_frame(clicked, FIELD, size=SIZE, model="H").out_of_sight(FIELD)
     assert "Circle right" in away
     assert all(element.on_ground for n in away if (element := FIELD.element(n)))
 
 
-def test_without_a_camera_nothing_is_known_of_it(clicked) -> None:
+def test_without_a_camera_nothing_is_known_of_it(clicked):
     one = FrameAnnotation(clicked.polylines[:1])
     assert analyse_frame(one, FIELD, size=SIZE).out_of_sight(FIELD) == frozenset()
 
@@ -72,7 +69,6 @@ NOTHING = FrameAnnotation()
 @pytest.fixture
 def fit(sample_data) -> FitResult:
     found = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SCORED_SIZE)
-    assert isinstance(found.camera, PinholeCamera)
     return external_camera_fit(found.camera, SCORED_SIZE)
 
 
@@ -87,7 +83,7 @@ def clicked_off(fit: FitResult, name: str, off_px: float) -> FrameAnnotation:
     return NOTHING.with_polyline(Polyline(name, points))
 
 
-def test_ghosts_without_a_click(fit) -> None:
+def test_ghosts_without_a_click(fit):
     insight = ghosts_without_clicks(NOTHING, FIELD, fit)
     names = [ghost.name for ghost in insight.ghosts]
 
@@ -98,7 +94,7 @@ def test_ghosts_without_a_click(fit) -> None:
 
 
 @pytest.mark.parametrize(("off_px", "contradicted"), [(0.0, False), (6.0, False), (40.0, True)])
-def test_clicks_elsewhere_end_it(fit, off_px, contradicted) -> None:
+def test_clicks_elsewhere_end_it(fit, off_px, contradicted):
     annotation = clicked_off(fit, "Big rect. left main", off_px)
 
     assert contradicts(annotation, FIELD, fit) is contradicted
@@ -107,7 +103,7 @@ def test_clicks_elsewhere_end_it(fit, off_px, contradicted) -> None:
     assert bool(insight.ghosts) is not contradicted
 
 
-def test_an_element_out_of_sight_contradicts_it(fit) -> None:
+def test_an_element_out_of_sight_contradicts_it(fit):
     points = tuple(point_from_px(x, y, SCORED_SIZE) for x, y in ((300, 200), (500, 300)))
     annotation = NOTHING.with_polyline(Polyline("Big rect. right main", points))
 
@@ -115,9 +111,7 @@ def test_an_element_out_of_sight_contradicts_it(fit) -> None:
 
 
 @pytest.mark.parametrize(("off_px", "by_clicks"), [(0.0, False), (12.0, True)])
-def test_three_lines_are_judged_with_the_camera_that_they_agree_with(
-    fit, off_px, by_clicks
-) -> None:
+def test_three_lines_are_judged_with_the_camera_that_they_agree_with(fit, off_px, by_clicks):
     names = "Big rect. left main", "Big rect. left bottom", "Small rect. left main"
     polylines = [clicked_off(fit, name, off_px).polylines[0] for name in names]
     annotation = FrameAnnotation(tuple(polylines))
@@ -151,7 +145,7 @@ def remedy(kind: RemedyKind, *renamed: tuple[str, str]) -> Remedy:
     return Remedy(kind, "swap one and the other", renamed)
 
 
-def test_a_swap_exchanges_names_and_keeps_points_and_order() -> None:
+def test_a_swap_exchanges_names_and_keeps_points_and_order():
     swap = remedy(RemedyKind.SWAP, (A, B), (B, A))
     mended = apply_remedy(ANNOTATION, finding(A, B), swap)
     assert [p.class_name for p in mended] == [B, A]
@@ -160,13 +154,13 @@ def test_a_swap_exchanges_names_and_keeps_points_and_order() -> None:
     assert apply_remedy(mended, finding(A, B), swap) == ANNOTATION
 
 
-def test_many_classes_are_renamed_at_once() -> None:
+def test_many_classes_are_renamed_at_once():
     three = FrameAnnotation((*ANNOTATION.polylines, polyline(C, 0.7)))
     mended = rename_classes(three, {A: B, B: C, C: A})
     assert [p.class_name for p in mended] == [B, C, A]
 
 
-def test_an_empty_class_and_an_unconfirmed_one_give_way() -> None:
+def test_an_empty_class_and_an_unconfirmed_one_give_way():
     annotation = FrameAnnotation(
         (*ANNOTATION.polylines, Polyline(C, ())), unconfirmed=(polyline(C, 0.9),)
     )
@@ -183,14 +177,14 @@ def test_an_empty_class_and_an_unconfirmed_one_give_way() -> None:
         ({C: "Circle left"}, "Halfway line is not annotated any more"),
     ],
 )
-def test_two_elements_never_become_one(names, message) -> None:
+def test_two_elements_never_become_one(names, message):
     with pytest.raises(UsageError, match=message):
         rename_classes(ANNOTATION, names, FIELD)
     with pytest.raises(UsageError, match="annotated"):
         apply_remedy(ANNOTATION, finding(A), remedy(RemedyKind.RELABEL, *names.items()))
 
 
-def test_a_point_is_removed() -> None:
+def test_a_point_is_removed():
     mended = apply_remedy(ANNOTATION, finding(B, point=1), remedy(RemedyKind.REMOVE_POINT))
     assert [p.u for p in mended.get(B).points] == [0.3, 0.5]
     assert mended.get(A) == ANNOTATION.get(A)
@@ -199,5 +193,5 @@ def test_a_point_is_removed() -> None:
             apply_remedy(ANNOTATION, gone, remedy(RemedyKind.REMOVE_POINT), FIELD)
 
 
-def test_looking_changes_nothing() -> None:
+def test_looking_changes_nothing():
     assert apply_remedy(ANNOTATION, finding(A), remedy(RemedyKind.LOOK)) is ANNOTATION

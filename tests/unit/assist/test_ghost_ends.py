@@ -1,7 +1,5 @@
 """A ghost ends where its paint meets that of the element it ends at, or at the picture's edge."""
 
-from __future__ import annotations
-
 from itertools import islice
 
 import cv2
@@ -59,7 +57,7 @@ def accepted(picture: PixelArray, course: np.ndarray, end: ExpectedEnd | None = 
 
 
 @pytest.mark.parametrize("off_px", [-12.0, 0.0, 12.0])
-def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px) -> None:
+def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px):
     along = (CORNER - START) / np.hypot(*(CORNER - START))
     expected = np.array([START, CORNER + off_px * along]) + np.array([0.0, 1.5])
     other = GOAL_LINE + off_px * along * [1.0, 0.0] / 4
@@ -69,14 +67,14 @@ def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px) -> No
     assert np.hypot(*(points[-1] - CORNER)) < 1.0
 
 
-def test_it_stays_where_it_is_seen_to_end_without_the_other_paint() -> None:
+def test_it_stays_where_it_is_seen_to_end_without_the_other_paint():
     end = ExpectedEnd(CORNER, 2.0, (ElementJoint("Side line right", dense(GOAL_LINE)),))
     picture = pitch(np.array([START, CORNER]))
     points = accepted(picture, dense(np.array([START, CORNER])), end)
     assert np.hypot(*(points[-1] - CORNER)) < 6.0
 
 
-def test_one_that_leaves_the_picture_ends_at_its_edge() -> None:
+def test_one_that_leaves_the_picture_ends_at_its_edge():
     line = np.array([[400.0, 100.0], [980.0, 320.0]])
     inside = np.array([line[0], [956.0, 310.9]])
     points = accepted(pitch(line), dense(inside) + np.array([0.0, 1.0]))
@@ -87,7 +85,7 @@ ALONG = (CORNER - START) / np.hypot(*(CORNER - START))
 
 
 @pytest.mark.parametrize("off_px", [-45.0, 45.0])
-def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px) -> None:
+def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px):
     picture = pitch(np.array([START, CORNER]), GOAL_LINE)
     other = GOAL_LINE + off_px * ALONG
     end = ExpectedEnd(
@@ -99,7 +97,7 @@ def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px) -> None:
 
 
 @pytest.mark.parametrize("degrees", [12.0, 20.0, 35.0])
-def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees) -> None:
+def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees):
     turn = np.radians(degrees) + np.arctan2(ALONG[1], ALONG[0])
     way = np.array([np.cos(turn), np.sin(turn)])
     other = np.array([CORNER - 200.0 * way, CORNER + 120.0 * way])
@@ -112,7 +110,7 @@ def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees) -> None:
 
 
 @pytest.mark.parametrize("too_far_px", [12.0, 30.0])
-def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px) -> None:
+def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px):
     """The camera expects it beyond the place where the paint ends; no other line is there."""
     picture = pitch(np.array([START, CORNER]))
     place = CORNER + too_far_px * ALONG
@@ -126,7 +124,7 @@ def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px) -> None:
 
 
 @pytest.mark.parametrize("before_px", [12.0, 30.0])
-def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(before_px) -> None:
+def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(before_px):
     """What was taken for the other one is the edge of a board behind it."""
     picture = pitch(np.array([START, CORNER - before_px * ALONG]), GOAL_LINE)
     end = ExpectedEnd(CORNER, 4.0, (ElementJoint("Side line right", dense(GOAL_LINE)),))
@@ -136,7 +134,7 @@ def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(be
     assert -before_px - 10.0 < (last - CORNER) @ ALONG < -before_px + 3.0
 
 
-def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end() -> None:
+def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end():
     """Another line may go on where this one ends."""
     picture = pitch(np.array([START, CORNER + 150.0 * ALONG]))
     end = ExpectedEnd(CORNER, 8.0, (ElementJoint("Side line right", dense(GOAL_LINE)),))
@@ -147,7 +145,7 @@ def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end() 
 
 
 @pytest.mark.parametrize("before_px", [15.0, 40.0])
-def test_paint_that_goes_on_to_the_picture_s_edge_says_nothing_of_an_end_before(before_px) -> None:
+def test_paint_that_goes_on_to_the_picture_s_edge_says_nothing_of_an_end_before(before_px):
     """Another line goes on where this one ends in sight, as far as the picture shows."""
     start, edge = np.array([500.0, 200.0]), np.array([959.0, 327.0])
     along = (edge - start) / np.hypot(*(edge - start))
@@ -161,7 +159,7 @@ def test_paint_that_goes_on_to_the_picture_s_edge_says_nothing_of_an_end_before(
     assert -60.0 < (last - place) @ along < 0.0
 
 
-def test_where_both_paints_meet_outside_the_picture_the_line_ends_at_its_edge() -> None:
+def test_where_both_paints_meet_outside_the_picture_the_line_ends_at_its_edge():
     """The camera expects the corner inside."""
     corner, start = np.array([966.0, 320.0]), np.array([400.0, 107.0])
     along = (corner - start) / np.hypot(*(corner - start))
@@ -177,7 +175,7 @@ def test_where_both_paints_meet_outside_the_picture_the_line_ends_at_its_edge() 
 
 
 @pytest.mark.parametrize(("begins", "expected"), [(130.0, 100.0), (140.0, 95.0)])
-def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(begins, expected) -> None:
+def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(begins, expected):
     """There would be no place before the corner at which anything was seen."""
     course = np.array([[begins, 200.0], [begins + 33.0, 200.0]])
     picture = pitch(course, np.array([[begins - 2.0, 120.0], [begins - 2.0, 290.0]]))
@@ -189,7 +187,7 @@ def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(begins, exp
     assert (points_px(Polyline("", found.points), SIZE)[:, 0] > begins).all()
 
 
-def test_of_a_short_one_that_is_cut_back_a_few_pixels_are_left() -> None:
+def test_of_a_short_one_that_is_cut_back_a_few_pixels_are_left():
     place = START + 21.0 * ALONG
     picture = pitch(np.array([START, START + 80.0 * ALONG]))
     end = ExpectedEnd(
@@ -201,7 +199,7 @@ def test_of_a_short_one_that_is_cut_back_a_few_pixels_are_left() -> None:
     assert ((points - START) @ ALONG < 9.0).all()
 
 
-def test_an_end_in_sight_by_both_paints_is_reached_across_a_player() -> None:
+def test_an_end_in_sight_by_both_paints_is_reached_across_a_player():
     picture = pitch(np.array([START, CORNER]), GOAL_LINE).copy()
     x, y = (CORNER - 110.0 * ALONG).round().astype(int)
     picture[y - 30 : y + 25, x - 25 : x + 25, :3] = (60, 40, 170)
@@ -212,7 +210,7 @@ def test_an_end_in_sight_by_both_paints_is_reached_across_a_player() -> None:
     assert np.hypot(*(points[-1] - CORNER)) < 1.0
 
 
-def test_a_line_hidden_before_the_picture_s_edge_goes_on_to_it() -> None:
+def test_a_line_hidden_before_the_picture_s_edge_goes_on_to_it():
     """A head hides it; between the head and the edge it is seen again, if only shortly."""
     line = np.array([[400.0, 100.0], [980.0, 320.0]])
     picture = pitch(line).copy()
@@ -221,7 +219,7 @@ def test_a_line_hidden_before_the_picture_s_edge_goes_on_to_it() -> None:
     assert points[-1] == pytest.approx([959.0, 312.0], abs=1.0)
 
 
-def test_a_line_that_is_hidden_until_the_picture_s_edge_ends_before() -> None:
+def test_a_line_that_is_hidden_until_the_picture_s_edge_ends_before():
     line = np.array([[400.0, 100.0], [980.0, 320.0]])
     picture = pitch(line).copy()
     picture[270:340, 905:, :3] = (40, 40, 60)
@@ -229,7 +227,7 @@ def test_a_line_that_is_hidden_until_the_picture_s_edge_ends_before() -> None:
     assert points[-1, 0] <= 906.0
 
 
-def test_a_crossbar_ends_at_its_post_before_letters() -> None:
+def test_a_crossbar_ends_at_its_post_before_letters():
     """Letters on a board behind the post, as white as it is; the camera is off by 20 px."""
     picture = np.full((SIZE[1], SIZE[0], 3), (40, 40, 90), dtype=np.uint8)
     corner = np.array([300.0, 200.0])
@@ -251,7 +249,7 @@ def test_a_crossbar_ends_at_its_post_before_letters() -> None:
 
 
 @pytest.mark.parametrize("every", [2, pytest.param(1, marks=pytest.mark.soak)])
-def test_at_most_a_third_of_labelmes_actions(sample_data, every) -> None:
+def test_at_most_a_third_of_labelmes_actions(sample_data, every):
     ours, theirs = 0, 0
     accepted_px, clicked_px = [], []
     for frame in islice(drawn_frames(sample_data), 0, None, every):

@@ -1,7 +1,5 @@
 """A ghost becomes points on its painted line, and none where no paint is to be seen."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -107,7 +105,7 @@ def all_accepted(
     return done.annotation, *(tuple(f.name for f in some) for some in (done.accepted, done.left))
 
 
-def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn) -> None:
+def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn):
     rng = np.random.default_rng(6)
     medians, distances = [], []
     for name in ("00002", "00006", "00009", "00011", "00012"):
@@ -129,7 +127,7 @@ def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn) -> None:
     assert max(distances) < 5.0  # along the line, where it meets another
 
 
-def test_the_points_are_regular_in_order_and_reach_the_edge(drawn) -> None:
+def test_the_points_are_regular_in_order_and_reach_the_edge(drawn):
     (course,) = drawn.exact("00003")["Side line top"]
     found = find_points(
         ghost_along("Side line top", moved(course, 0.0, 1.2)), drawn.picture("00003"), FIELD, SIZE
@@ -146,7 +144,7 @@ def test_the_points_are_regular_in_order_and_reach_the_edge(drawn) -> None:
     assert all(0 <= p.u <= 1 and 0 <= p.v <= 1 for p in found.points)
 
 
-def test_a_circle_gets_points_all_round(drawn) -> None:
+def test_a_circle_gets_points_all_round(drawn):
     courses = drawn.exact("00001")["Circle central"]
     pieces = tuple(GhostPiece(moved(c, 0.8, -0.8), np.full(len(c), 1.5)) for c in courses)
     found = find_points(Ghost("Circle central", pieces), drawn.picture("00001"), FIELD, SIZE)
@@ -184,14 +182,14 @@ LINE = ((100, 300), (1179, 400))
 
 
 @pytest.mark.parametrize("offset", [-3.0, 0.0, 3.0])
-def test_a_line_beside_the_prediction_is_found(offset) -> None:
+def test_a_line_beside_the_prediction_is_found(offset):
     ghost = ghost_along("Side line top", moved(COURSE, 0.0, offset - 2.0), 2.0)
     found = find_points(ghost, shown(pitch(LINE)), FIELD, SIZE)
     assert found.support > 0.95
     assert away(placed(found), [straight(*LINE)]).max() < 0.4
 
 
-def test_no_points_where_the_crowd_hides_the_line() -> None:
+def test_no_points_where_the_crowd_hides_the_line():
     pixels = pitch(LINE)
     pixels[250:450, 500:760] = crowd(260, 200)
     found = find_points(ghost_along("Side line top", COURSE), shown(pixels), FIELD, SIZE)
@@ -202,7 +200,7 @@ def test_no_points_where_the_crowd_hides_the_line() -> None:
     assert found.support == pytest.approx(1 - 260 / 1080, abs=0.05)
 
 
-def test_points_end_where_the_line_is_cut_off() -> None:
+def test_points_end_where_the_line_is_cut_off():
     pixels = pitch(LINE)
     pixels[:, 800:] = crowd(480, 720)
     found = find_points(ghost_along("Side line top", COURSE), shown(pixels), FIELD, SIZE)
@@ -212,7 +210,7 @@ def test_points_end_where_the_line_is_cut_off() -> None:
     assert away(points, [straight(*LINE)]).max() < 0.6
 
 
-def test_players_on_the_line_get_no_points() -> None:
+def test_players_on_the_line_get_no_points():
     pixels = pitch(LINE)
     people = [(300, (40, 40, 190)), (620, (235, 235, 235)), (900, (120, 50, 30))]
     for x, shirt in people:
@@ -230,7 +228,7 @@ def test_players_on_the_line_get_no_points() -> None:
 
 
 @pytest.mark.parametrize("name", ["Side line top", "Goal left crossbar", "Circle left"])
-def test_a_ghost_in_the_crowd_or_on_bare_grass_finds_no_line(name) -> None:
+def test_a_ghost_in_the_crowd_or_on_bare_grass_finds_no_line(name):
     pixels = pitch()
     pixels[:360] = crowd(1280, 360)
     rng = np.random.default_rng(3)
@@ -244,7 +242,7 @@ def test_a_ghost_in_the_crowd_or_on_bare_grass_finds_no_line(name) -> None:
             assert len(found.points) <= 3
 
 
-def test_a_neighbouring_line_is_not_followed() -> None:
+def test_a_neighbouring_line_is_not_followed():
     """The line itself shows only half way; the other one converges to it."""
     pixels = pitch(((100, 300), (640, 300)), ((640, 303), (1100, 330)))
     ghost = ghost_along("Side line top", straight((100.0, 300.5), (1100.0, 300.5)), 2.0)
@@ -253,7 +251,7 @@ def test_a_neighbouring_line_is_not_followed() -> None:
     assert (points[:, 0] > 760).sum() == 0
 
 
-def test_a_whole_picture_of_one_colour_and_a_tiny_ghost_do_no_harm() -> None:
+def test_a_whole_picture_of_one_colour_and_a_tiny_ghost_do_no_harm():
     blank = shown(np.full((SIZE[1], SIZE[0], 3), 90, dtype=np.uint8))
     found = find_points(ghost_along("Side line top", COURSE), blank, FIELD, SIZE)
     assert found == GhostPoints("Side line top", (), 0.0)
@@ -261,7 +259,7 @@ def test_a_whole_picture_of_one_colour_and_a_tiny_ghost_do_no_harm() -> None:
     assert find_points(tiny, shown(pitch()), FIELD, SIZE).points == ()
 
 
-def test_accepting_makes_elements_and_keeps_what_is_there() -> None:
+def test_accepting_makes_elements_and_keeps_what_is_there():
     points = (Point(0.1, 0.2), Point(0.5, 0.25))
     mine = Polyline("Side line left", (Point(0.3, 0.3), Point(0.3, 0.9)))
     copied = Polyline("Side line top", (Point(0.0, 0.0), Point(1.0, 0.0)))
@@ -279,7 +277,7 @@ def test_accepting_makes_elements_and_keeps_what_is_there() -> None:
     assert accept(before, []) is before
 
 
-def test_accepting_all_leaves_out_what_is_hardly_seen(drawn) -> None:
+def test_accepting_all_leaves_out_what_is_hardly_seen(drawn):
     annotation, picture = drawn.annotation("00011"), drawn.picture("00011").copy()
     four = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom"}
     four.add("Goal left crossbar")
@@ -332,7 +330,7 @@ def drawn_twice() -> DrawnTwice:
 
 
 @pytest.mark.parametrize("number", [12, pytest.param(14, marks=pytest.mark.soak)])
-def test_every_point_lies_where_paint_can_be_seen(drawn_twice, number) -> None:
+def test_every_point_lies_where_paint_can_be_seen(drawn_twice, number):
     """Posts and crossbars, players, goals and boards in front of lines: the drawing knows."""
     camera, picture, paint = drawn_twice(number)
     exact = exact_courses(camera, SMALL)
@@ -361,7 +359,7 @@ def test_every_point_lies_where_paint_can_be_seen(drawn_twice, number) -> None:
     assert hidden == 0
 
 
-def test_real_lines_of_a_real_frame(shared_data) -> None:
+def test_real_lines_of_a_real_frame(shared_data):
     frames = shared_data / "frames"
     picture = decode_bgra(frames / "bra_mex.jpg")
     path = frames / "bra_mex.json"
@@ -380,13 +378,13 @@ def test_real_lines_of_a_real_frame(shared_data) -> None:
         assert apart.max() < 5.0
 
 
-def test_points_are_normalised_to_the_size_of_the_picture() -> None:
+def test_points_are_normalised_to_the_size_of_the_picture():
     found = find_points(ghost_along("Side line top", COURSE), shown(pitch(LINE)), FIELD, SIZE)
     first = found.points[0]
     assert (first.u, first.v) == pytest.approx(point_from_px(100, 300, SIZE)[:2], abs=0.005)
 
 
-def test_a_chain_has_one_point_at_its_corner() -> None:
+def test_a_chain_has_one_point_at_its_corner():
     """A backboard's lower left corner, painted white on dark: two pieces meet there."""
     court = load_field("basketball_fiba")
     corner = (400.0, 500.0)

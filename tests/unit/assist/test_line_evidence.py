@@ -1,7 +1,5 @@
 """Paint under an annotation, beside it and none, by a drawn picture."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest
@@ -41,7 +39,7 @@ def clicked(*places: tuple[float, float], name: str = LINE) -> FrameAnnotation:
     return FrameAnnotation((Polyline(name, points),))
 
 
-def test_a_hidden_stretch_is_told_from_paint(picture) -> None:
+def test_a_hidden_stretch_is_told_from_paint(picture):
     seen = line_evidence_by_class(clicked((100, 100), (500, 115), (900, 130)), picture, FIELD)[LINE]
     hidden = (seen.places_px[:, 0] > 410) & (seen.places_px[:, 0] < 590)
     assert (seen.paint[hidden] == LinePresence.NONE).all()
@@ -51,7 +49,7 @@ def test_a_hidden_stretch_is_told_from_paint(picture) -> None:
     assert seen.longest_gap_px == pytest.approx(200, abs=60)
 
 
-def test_bent_paint_lies_to_one_side(picture) -> None:
+def test_bent_paint_lies_to_one_side(picture):
     seen = line_evidence_by_class(clicked((100, 300), (900, 300)), picture, FIELD)[LINE]
     assert set(seen.paint.tolist()) == {LinePresence.UNDER, LinePresence.RIGHT}
     back = line_evidence_by_class(clicked((900, 300), (100, 300)), picture, FIELD)[LINE]
@@ -59,7 +57,7 @@ def test_bent_paint_lies_to_one_side(picture) -> None:
     assert np.nanmax(seen.steady) == pytest.approx(5.0, abs=0.5)
 
 
-def test_bare_grass_has_none_and_ends_are_looked_at_beyond(picture) -> None:
+def test_bare_grass_has_none_and_ends_are_looked_at_beyond(picture):
     bare = line_evidence_by_class(clicked((100, 450), (900, 470)), picture, FIELD)[LINE]
     assert bare.missing_share > 0.9
     short = line_evidence_by_class(clicked((140, 101.5), (370, 110.1)), picture, FIELD)[LINE]
@@ -68,7 +66,7 @@ def test_bare_grass_has_none_and_ends_are_looked_at_beyond(picture) -> None:
     assert whole.ends_at(0, 30.0)
 
 
-def test_what_did_not_change_is_not_looked_at_again(picture, monkeypatch) -> None:
+def test_what_did_not_change_is_not_looked_at_again(picture, monkeypatch):
     first = clicked((100, 100), (900, 130))
     known = line_evidence(first, picture, FIELD)
     both = FrameAnnotation((*first.polylines, *clicked((100, 300), (900, 300), name="Middle line")))
@@ -77,7 +75,7 @@ def test_what_did_not_change_is_not_looked_at_again(picture, monkeypatch) -> Non
     assert len(again) == 2
 
 
-def test_spots_unknown_classes_and_single_clicks_are_left_out(picture) -> None:
+def test_spots_unknown_classes_and_single_clicks_are_left_out(picture):
     for name, places in (
         ("Penalty mark left", ((200, 200), (300, 200))),
         ("Line unknown", ((200, 200), (300, 200))),
@@ -126,7 +124,7 @@ def painted(ground: tuple[int, ...], paint: tuple[int, ...], below: tuple[int, .
     [(WOOD, BLACK), (ICE, RED), (GRASS, WHITE)],
     ids=["black on wood", "red on ice", "white on grass"],
 )
-def test_a_line_of_any_colour_is_seen_but_where_it_is_hidden(ground, paint) -> None:
+def test_a_line_of_any_colour_is_seen_but_where_it_is_hidden(ground, paint):
     strip = straighten_curve(painted(ground, paint, ground), COURSE, ACROSS, BESIDE_PX)
     runs = runs_seen(strip, HITS, on_ground=True)
     assert len(runs) == 2
@@ -134,7 +132,7 @@ def test_a_line_of_any_colour_is_seen_but_where_it_is_hidden(ground, paint) -> N
     assert runs[1] == pytest.approx((HIDDEN[1] - BEGIN, END - BEGIN), abs=4)
 
 
-def test_the_edge_of_an_area_is_seen_but_where_it_is_hidden() -> None:
+def test_the_edge_of_an_area_is_seen_but_where_it_is_hidden():
     strip = straighten_curve(painted(ICE, RED, (90, 190, 210)), COURSE, ACROSS, BESIDE_PX)
     runs = runs_seen(strip, HITS, on_ground=True, edge=True)
     assert len(runs) == 2
@@ -142,6 +140,6 @@ def test_the_edge_of_an_area_is_seen_but_where_it_is_hidden() -> None:
     assert runs[1][0] == pytest.approx(HIDDEN[1] - BEGIN, abs=4)
 
 
-def test_bare_ground_shows_no_line() -> None:
+def test_bare_ground_shows_no_line():
     strip = straighten_curve(painted(WOOD, WOOD, WOOD), COURSE, ACROSS, BESIDE_PX)
     assert runs_seen(strip, HITS, on_ground=True) == ()

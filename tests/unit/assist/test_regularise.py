@@ -1,7 +1,5 @@
 """Two clicks make a straight element, five a curve; hidden stretches get no points."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import cv2
@@ -47,7 +45,7 @@ ANGLES = np.linspace(0, 2 * np.pi, 8000)
 CIRCLE = np.column_stack([480 + 260 * np.cos(ANGLES), 280 + 90 * np.sin(ANGLES)])
 
 
-def test_two_clicks_follow_a_bent_line() -> None:
+def test_two_clicks_follow_a_bent_line():
     clicked = BENT[[0, -1]] + [[0, 2.0], [0, -1.5]]
     found = regularise(
         polyline("Middle line", clicked),
@@ -63,7 +61,7 @@ def test_two_clicks_follow_a_bent_line() -> None:
     assert (np.diff(points[:, 0]) > 0).all()
 
 
-def test_the_direction_of_the_clicks_is_kept() -> None:
+def test_the_direction_of_the_clicks_is_kept():
     backwards = polyline("Middle line", BENT[[-1, 0]])
     found = regularise(
         backwards, curved=False, size=SIZE, snap=partial(snap_points_to_lines, pitch(BENT))
@@ -72,7 +70,7 @@ def test_the_direction_of_the_clicks_is_kept() -> None:
 
 
 @pytest.mark.parametrize("shuffled", [False, True])
-def test_five_clicks_make_an_arc(shuffled) -> None:
+def test_five_clicks_make_an_arc(shuffled):
     arc = CIRCLE[500:4800]
     clicked = arc[[0, 1000, 2100, 3300, -1]] + np.random.default_rng(3).normal(0, 1.5, (5, 2))
     if shuffled:
@@ -93,7 +91,7 @@ def test_five_clicks_make_an_arc(shuffled) -> None:
     assert away(points[1:-1], CIRCLE).max() < 1.0
 
 
-def test_points_are_denser_where_it_bends() -> None:
+def test_points_are_denser_where_it_bends():
     clicked = CIRCLE[[0, 900, 2000, 3100, 4000]]
     found = regularise(
         polyline("Circle central", clicked), curved=True, size=SIZE, snap=None
@@ -104,7 +102,7 @@ def test_points_are_denser_where_it_bends() -> None:
     assert steps[tight].mean() < 0.75 * steps[~tight].mean()
 
 
-def test_a_whole_circle_closes() -> None:
+def test_a_whole_circle_closes():
     clicked = CIRCLE[[0, 1300, 2700, 4000, 5300, 6600, 7980]]
     found = regularise(
         polyline("Circle central", clicked),
@@ -118,7 +116,7 @@ def test_a_whole_circle_closes() -> None:
     assert abs(turns[-1] - turns[0]) == pytest.approx(2 * np.pi, abs=0.1)
 
 
-def test_hidden_stretches_get_no_points() -> None:
+def test_hidden_stretches_get_no_points():
     picture = pitch(BENT).copy()
     picture[200:400, 400:560] = (*GRASS, 255)
     found = regularise(
@@ -133,7 +131,7 @@ def test_hidden_stretches_get_no_points() -> None:
     assert (points[:, 0] > 560).sum() > 3
 
 
-def test_a_neighbouring_line_does_not_catch_points() -> None:
+def test_a_neighbouring_line_does_not_catch_points():
     crossing = np.column_stack([np.linspace(300, 700, 2000), np.linspace(270, 320, 2000)])
     found = regularise(
         polyline("Middle line", BENT[[0, -1]]),
@@ -144,7 +142,7 @@ def test_a_neighbouring_line_does_not_catch_points() -> None:
     assert away(points_px(found, SIZE), BENT).max() < 1.5
 
 
-def test_without_a_line_the_clicks_stay() -> None:
+def test_without_a_line_the_clicks_stay():
     plain = polyline("Middle line", BENT[[0, -1]])
     grass = partial(snap_points_to_lines, pitch())
     assert regularise(plain, curved=False, size=SIZE, snap=grass).polyline == plain
@@ -152,7 +150,7 @@ def test_without_a_line_the_clicks_stay() -> None:
     assert regularise(single, curved=False, size=SIZE, snap=grass).polyline == single
 
 
-def test_what_a_file_says_about_the_ends_is_kept() -> None:
+def test_what_a_file_says_about_the_ends_is_kept():
     first = Point(BENT[0, 0] / 959, BENT[0, 1] / 539, (("sure", True),))
     last = Point(BENT[-1, 0] / 959, BENT[-1, 1] / 539)
     found = regularise(
@@ -164,7 +162,7 @@ def test_what_a_file_says_about_the_ends_is_kept() -> None:
     assert found.points[0].extra == first.extra
 
 
-def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data) -> None:
+def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data):
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_evenly(FIELD, 0.01)
     rng = np.random.default_rng(4)
@@ -204,7 +202,7 @@ def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data) -> None:
         assert np.quantile(found_errors, 0.98) <= 1.5
 
 
-def test_no_click_is_lost_where_the_bend_is_hidden() -> None:
+def test_no_click_is_lost_where_the_bend_is_hidden():
     """Behind a crowd there is no paint: the clicks that a hand made there are all that is known."""
     arc = CIRCLE[500:4800]
     picture = pitch(arc).copy()
@@ -223,7 +221,7 @@ def test_no_click_is_lost_where_the_bend_is_hidden() -> None:
     assert set(again.unconfirmed) == set(found.unconfirmed)
 
 
-def test_a_line_beside_the_clicks_does_not_draw_them_to_itself() -> None:
+def test_a_line_beside_the_clicks_does_not_draw_them_to_itself():
     beside = polyline("Middle line", BENT[[0, 1000, 2000, 3000, -1]] + [0, 4.0])
     found = regularise(
         beside, curved=False, size=SIZE, snap=partial(snap_points_to_lines, pitch(BENT))
@@ -243,7 +241,7 @@ def covered(curve: np.ndarray, *places: int) -> PixelArray:
 @pytest.mark.parametrize(
     "drawing", [*range(6), *(pytest.param(n, marks=pytest.mark.soak) for n in range(6, 24))]
 )
-def test_what_was_regularised_stays(drawing) -> None:
+def test_what_was_regularised_stays(drawing):
     """A circle clicked all round but for one gap, with players on it: time and again the same."""
     rng = np.random.default_rng(drawing)
     rows = np.sort(rng.integers(0, len(CIRCLE), 8))
@@ -258,7 +256,7 @@ def test_what_was_regularised_stays(drawing) -> None:
     assert away(clicked, chords).max() <= MOST_MOVED_PX + 0.1
 
 
-def test_what_was_thinned_out_is_regularised_again() -> None:
+def test_what_was_thinned_out_is_regularised_again():
     snap = partial(snap_points_to_lines, pitch(BENT))
     drawn = polyline("Middle line", BENT[[0, -1]])
     once = regularise(drawn, curved=False, size=SIZE, snap=snap).polyline
@@ -270,12 +268,12 @@ def test_what_was_thinned_out_is_regularised_again() -> None:
 
 @pytest.mark.parametrize("way", [(0, 2, 0), (0, 1, 2, 1, 0)])
 @pytest.mark.parametrize("snap", [None, lambda points, _: points])
-def test_clicks_that_come_back_the_way_they_went_stay(way, snap) -> None:
+def test_clicks_that_come_back_the_way_they_went_stay(way, snap):
     clicks = polyline("Middle line", np.array([[100, 100], [200, 130], [300, 160]])[[*way]])
     assert regularise(clicks, curved=False, size=SIZE, snap=snap).polyline == clicks
 
 
-def test_an_arc_with_two_clicks_in_nearly_one_place() -> None:
+def test_an_arc_with_two_clicks_in_nearly_one_place():
     clicks = np.array([[100.0, 100.0], [200.0, 130.0], [200.0, 130.0 + 1e-8], [300.0, 180.0]])
     arc = polyline("Circle left", clicks)
     found = points_px(regularise(arc, curved=True, size=SIZE, snap=None).polyline, SIZE)
@@ -298,35 +296,35 @@ def closed(polyline: Polyline, *others: Polyline) -> np.ndarray:
     return points_px(close_gaps(polyline, annotation, FIELD, PICTURE_SIZE), PICTURE_SIZE)
 
 
-def test_an_end_reaches_the_corner_with_the_line_it_meets() -> None:
+def test_an_end_reaches_the_corner_with_the_line_it_meets():
     found = closed(line(TOP, (300, 200), (590, 200)), line(MAIN, (600, 212), (600, 500)))
     assert found == pytest.approx(np.array([[300, 200], [600, 200]]), abs=1e-6)
 
 
-def test_an_end_that_went_too_far_comes_back() -> None:
+def test_an_end_that_went_too_far_comes_back():
     found = closed(line(TOP, (300, 200), (612, 200)), line(MAIN, (600, 190), (600, 500)))
     assert found[-1] == pytest.approx([600, 200], abs=1e-6)
 
 
-def test_lines_that_do_not_meet_on_the_field_leave_each_other_alone() -> None:
+def test_lines_that_do_not_meet_on_the_field_leave_each_other_alone():
     polyline = line(TOP, (300, 200), (590, 200))
     other = line("Side line top", (600, 190), (600, 500))
     assert closed(polyline, other) == pytest.approx(points_px(polyline, PICTURE_SIZE))
 
 
-def test_an_end_near_the_edge_reaches_it_along_its_line() -> None:
+def test_an_end_near_the_edge_reaches_it_along_its_line():
     found = closed(line("Side line top", (10, 100), (640, 90), (1270, 80)))
     assert found[0] == pytest.approx([0, 100 + 10 * 10 / 630], abs=1e-6)
     assert found[1] == pytest.approx([640, 90])
     assert found[-1] == pytest.approx([1279, 80 - 9 * 10 / 630], abs=1e-6)
 
 
-def test_what_is_far_stays() -> None:
+def test_what_is_far_stays():
     polyline = line("Side line top", (60, 100), (1200, 80))
     assert closed(polyline) == pytest.approx(points_px(polyline, PICTURE_SIZE))
 
 
-def test_a_circle_closes_with_its_first_point() -> None:
+def test_a_circle_closes_with_its_first_point():
     angles = np.linspace(0, 2 * np.pi - 0.1, 9)
     points = [(640 + 200 * np.cos(a), 360 + 80 * np.sin(a)) for a in angles]
     polyline = line("Circle central", *points)
@@ -336,6 +334,6 @@ def test_a_circle_closes_with_its_first_point() -> None:
     assert close_gaps(half, FrameAnnotation((half,)), FIELD, PICTURE_SIZE) == half
 
 
-def test_other_elements_and_single_points_come_back_as_they_are() -> None:
+def test_other_elements_and_single_points_come_back_as_they_are():
     for polyline in (line("Line unknown", (2, 2), (9, 9)), line(TOP, (5, 5))):
         assert close_gaps(polyline, FrameAnnotation((polyline,)), FIELD, PICTURE_SIZE) == polyline

@@ -1,7 +1,5 @@
 """Pairing and bad files of two annotators' sets; known noise on real annotations comes out."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import unicodedata
@@ -51,7 +49,7 @@ def several(*folders: Path) -> ConsensusRun:
     return ConsensusRun([open_source(folder) for folder in folders], FIELD, SIZE, (5.0,))
 
 
-def test_frames_are_paired_by_name_in_natural_order(folders) -> None:
+def test_frames_are_paired_by_name_in_natural_order(folders):
     a, b = folders
     (a / "1.json").rename(a / "11.json")
     (b / "jac.json").write_text("{}")  # what the program itself writes there
@@ -73,7 +71,7 @@ def written(folder: Path, *names: str) -> Path:
     return folder
 
 
-def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path) -> None:
+def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path):
     season = written(tmp_path / "season", "g1/1", "g2/1")
     match = written(tmp_path / "match", "g2/1")
     there = run(season, match)
@@ -87,7 +85,7 @@ def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path
     assert [len(frame.files) - frame.files.count(None) for frame in again.frames] == [3]
 
 
-def test_a_frame_counts_once_however_its_letters_are_composed(tmp_path) -> None:
+def test_a_frame_counts_once_however_its_letters_are_composed(tmp_path):
     composed, apart = (unicodedata.normalize(form, "café_1") for form in ("NFC", "NFD"))
     names = (composed, apart, composed)
     found = several(*(written(tmp_path / f"{at}", name) for at, name in enumerate(names)))
@@ -95,7 +93,7 @@ def test_a_frame_counts_once_however_its_letters_are_composed(tmp_path) -> None:
     assert None not in found.frames[0].files
 
 
-def test_a_bad_file_does_not_stop_the_set(folders) -> None:
+def test_a_bad_file_does_not_stop_the_set(folders):
     a, b = folders
     (a / "1.json").write_text("{")
     (b / "1.json").write_text("[]")
@@ -111,7 +109,7 @@ def test_a_bad_file_does_not_stop_the_set(folders) -> None:
     assert summary(compared, results.values()).frames == 1
 
 
-def test_an_archive_is_as_good_as_a_folder(folders, tmp_path) -> None:
+def test_an_archive_is_as_good_as_a_folder(folders, tmp_path):
     a, b = folders
     archive = tmp_path / "b.zip"
     with zipfile.ZipFile(archive, "w") as packed:
@@ -120,7 +118,7 @@ def test_an_archive_is_as_good_as_a_folder(folders, tmp_path) -> None:
     assert [r.name for r in run(a, archive)] == ["1", "2", "10"]
 
 
-def test_nothing_to_do_is_said_before_any_work(folders, tmp_path) -> None:
+def test_nothing_to_do_is_said_before_any_work(folders, tmp_path):
     a, b = folders
     empty = tmp_path / "empty"
     empty.mkdir()
@@ -174,7 +172,7 @@ def count(folder: Path) -> int:
     return len(list(folder.iterdir()))
 
 
-def test_an_annotator_agrees_with_himself(real) -> None:
+def test_an_annotator_agrees_with_himself(real):
     compared = run(real, real)
     results = list(compared)
     assert not [r for r in results if r.errors]
@@ -190,7 +188,7 @@ def test_an_annotator_agrees_with_himself(real) -> None:
 
 
 @pytest.mark.parametrize("sigma", [0.5, 2.0])
-def test_the_noise_of_a_copy_is_its_noise_floor(real, tmp_path, sigma) -> None:
+def test_the_noise_of_a_copy_is_its_noise_floor(real, tmp_path, sigma):
     compared = run(real, copied(real, tmp_path / "b", noisy(sigma)))
     found = summary(compared, list(compared))
     # The absolute value of a normal variable: median 0.674 sigma, 95 % 1.96 sigma.
@@ -202,7 +200,7 @@ def test_the_noise_of_a_copy_is_its_noise_floor(real, tmp_path, sigma) -> None:
         assert found.per_class[name].median == pytest.approx(0.674 * sigma, rel=0.12)
 
 
-def test_deleted_elements_and_files_are_counted(real, tmp_path) -> None:
+def test_deleted_elements_and_files_are_counted(real, tmp_path):
     gone = tuple(sorted((path.stem for path in real.iterdir()), key=int)[:3])
 
     def change(name: str, content: dict[str, Any]) -> dict[str, Any] | None:
@@ -225,7 +223,7 @@ def test_deleted_elements_and_files_are_counted(real, tmp_path) -> None:
     assert summary(back, list(back)).overall.only_b == top.only_a
 
 
-def test_swapped_labels_are_noticed_in_every_real_frame(real, tmp_path) -> None:
+def test_swapped_labels_are_noticed_in_every_real_frame(real, tmp_path):
     def turned(_name: str, content: dict[str, Any]) -> dict[str, Any]:
         return {FIELD.symmetries[0].name_of(FIELD.canonical_name(k)): v for k, v in content.items()}
 

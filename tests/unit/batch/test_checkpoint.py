@@ -1,7 +1,5 @@
 """A run goes on only with results of what it is asked for."""
 
-from __future__ import annotations
-
 import json
 import math
 from dataclasses import replace
@@ -62,7 +60,7 @@ def darker(field: Field) -> Field:
         lambda _: field_with(SEAT, replace(BALL, position=(20.0, 0.0, 0.0))),
     ],
 )
-def test_results_of_another_field_are_not_gone_on_with(tmp_path, change) -> None:
+def test_results_of_another_field_are_not_gone_on_with(tmp_path, change):
     field = field_with(SEAT, BALL)
     file = tmp_path / ".propose.unfinished"
     with Checkpoint(file, {"field": field_settings(field)}, resume=False) as kept:
@@ -73,7 +71,7 @@ def test_results_of_another_field_are_not_gone_on_with(tmp_path, change) -> None
         Checkpoint(file, {"field": field_settings(change(field))}, resume=True)
 
 
-def test_what_no_fit_looks_at_keeps_no_run_from_going_on() -> None:
+def test_what_no_fit_looks_at_keeps_no_run_from_going_on():
     noted = field_with(replace(SEAT, note="row 12", colour="#ff0000"), BALL)
     assert field_settings(noted) == field_settings(field_with(SEAT, BALL))
 
@@ -81,7 +79,7 @@ def test_what_no_fit_looks_at_keeps_no_run_from_going_on() -> None:
 # What a run keeps of its results comes back to the last bit, and a file can make nothing else.
 
 
-def test_a_fit_and_its_score_come_back(sample_data) -> None:
+def test_a_fit_and_its_score_come_back(sample_data):
     field = load_field("soccer")
     file = sample_data / "00002.json"
     annotation = read_annotation(file.read_bytes(), path=str(file), field=field)
@@ -125,18 +123,18 @@ def same(one: object, other: object) -> bool:
 
 
 @given(values)
-def test_whatever_is_plain_comes_back(value) -> None:
+def test_whatever_is_plain_comes_back(value):
     assert same(deserialize(serialize(value)), value)
 
 
-def test_numbers_of_arrays_keep_their_kind() -> None:
+def test_numbers_of_arrays_keep_their_kind():
     found = deserialize(serialize([np.float32(0.1), np.arange(6).reshape(2, 3), Path("a/b")]))
     assert type(found[0]) is np.float32
     assert (found[1].dtype, found[1].shape) == (np.arange(6).dtype, (2, 3))
     assert found[2] == Path("a/b")
 
 
-def test_only_plain_data_is_kept() -> None:
+def test_only_plain_data_is_kept():
     for value in (object(), load_field, {1, 2}, np.array(["text"], dtype=object)):
         with pytest.raises(TypeError):
             serialize(value)
@@ -155,12 +153,12 @@ def test_only_plain_data_is_kept() -> None:
         '{"c": ["procc_annotator.no.such:Thing", []]}',
     ],
 )  # fmt: skip
-def test_a_file_of_anybodys_makes_nothing_else(text) -> None:
+def test_a_file_of_anybodys_makes_nothing_else(text):
     with pytest.raises(SerializationError):
         deserialize(text)
 
 
-def test_values_in_values_come_back() -> None:
+def test_values_in_values_come_back():
     annotation = FrameAnnotation((Polyline("Middle line", (Point(0.1, 0.2, (("a", 1),)),)),))
     assert deserialize(serialize(annotation)) == annotation
     assert json.loads(serialize(annotation))  # one line of JSON

@@ -1,7 +1,5 @@
 """Two sources compared frame by frame."""
 
-from __future__ import annotations
-
 import json
 import pickle
 from pathlib import Path
@@ -55,7 +53,7 @@ def sources(tmp_path) -> tuple[CameraSet, CameraSet]:
     return a, b
 
 
-def test_frames_in_common_in_their_order(sources) -> None:
+def test_frames_in_common_in_their_order(sources):
     comparison = ComparisonRun(*sources, FIELD, SIZE)
     assert comparison.names == ("1", "2", "3")
     assert (comparison.only_a, comparison.only_b) == (("4",), ("5",))
@@ -66,7 +64,7 @@ def test_frames_in_common_in_their_order(sources) -> None:
     assert of_dataset.neither == ("9",)
 
 
-def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path) -> None:
+def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path):
     for name in ("season/g1", "season/g2", "match/g2"):
         (tmp_path / name).mkdir(parents=True)
         (tmp_path / name / "camera_1.json").write_text(json.dumps(camera()))
@@ -78,7 +76,7 @@ def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path
     assert [(frame.median_m, frame.errors) for frame in back] == [(0.0, ())]
 
 
-def test_figures_of_the_set(sources) -> None:
+def test_figures_of_the_set(sources):
     comparison = ComparisonRun(*sources, FIELD, SIZE)
     frames = list(comparison)
     assert [frame.median_m for frame in frames] == pytest.approx([0.2, 3.0, 1.0])
@@ -94,7 +92,7 @@ def test_figures_of_the_set(sources) -> None:
     assert [frame.name for frame in worst_frames(frames, None)] == ["2", "3", "1"]
 
 
-def test_running_twice_counts_once(sources) -> None:
+def test_running_twice_counts_once(sources):
     comparison = ComparisonRun(*sources, FIELD, SIZE)
     first = list(comparison)
     again = list(comparison)
@@ -102,9 +100,7 @@ def test_running_twice_counts_once(sources) -> None:
     assert comparison.summary().frames == 3
 
 
-def test_a_worker_that_was_started_elsewhere_finds_relative_paths(
-    sources, tmp_path, monkeypatch
-) -> None:
+def test_a_worker_that_was_started_elsewhere_finds_relative_paths(sources, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run = ComparisonRun(CameraSet.open(Path("a")), CameraSet.open(Path("b")), FIELD, SIZE)
     sent = pickle.dumps(run.task)
@@ -115,7 +111,7 @@ def test_a_worker_that_was_started_elsewhere_finds_relative_paths(
     assert task.a.opened.path == Path("a")  # as it is named to people
 
 
-def test_frames_without_common_ground_are_blank(tmp_path) -> None:
+def test_frames_without_common_ground_are_blank(tmp_path):
     a = write(tmp_path / "a", {"1": camera(), "2": camera()})
     b = write(tmp_path / "b", {"1": camera(tilt_degrees=130.0), "2": camera()})
     comparison = ComparisonRun(a, b, FIELD, SIZE)
@@ -128,7 +124,7 @@ def test_frames_without_common_ground_are_blank(tmp_path) -> None:
     assert [frame.name for frame in worst_frames(frames, None)] == ["2"]
 
 
-def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path) -> None:
+def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path):
     a = write(tmp_path / "a", {"1": camera(), "2": camera()})
     b = write(tmp_path / "b", {"1": camera(x_focal_length="long"), "2": camera()})
     comparison = ComparisonRun(a, b, FIELD, SIZE)
@@ -141,7 +137,7 @@ def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path) -> None:
         comparison.cameras("1")
 
 
-def test_a_source_of_projections_alone_is_refused_by_name(sources, monkeypatch) -> None:
+def test_a_source_of_projections_alone_is_refused_by_name(sources, monkeypatch):
     a, b = sources
 
     def shared(self: CameraSet, name: str, size: tuple[int, int]) -> CameraForFrame:
@@ -152,7 +148,7 @@ def test_a_source_of_projections_alone_is_refused_by_name(sources, monkeypatch) 
         list(ComparisonRun(a, b, FIELD, SIZE))
 
 
-def test_nothing_in_common_says_how_frames_are_named(sources) -> None:
+def test_nothing_in_common_says_how_frames_are_named(sources):
     with pytest.raises(UsageError, match="the frames of the dataset like 'x1'"):
         ComparisonRun(*sources, FIELD, SIZE, ["x1"])
     with pytest.raises(UsageError, match="too small"):

@@ -1,7 +1,5 @@
 """Pairing, order and bad files of a set; figures do not depend on how the work is shared."""
 
-from __future__ import annotations
-
 import json
 import unicodedata
 from collections.abc import Iterable
@@ -67,7 +65,7 @@ def run(
     )
 
 
-def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, cameras) -> None:
+def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, cameras):
     fill(annotations, cameras, ["10", "9", "1", "100"])
     results = list(run(annotations, cameras))
     assert [r.name for r in results] == ["1", "9", "10", "100"]
@@ -75,7 +73,7 @@ def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, came
     assert all(list(r.scores) == [5.0, 2.0] for r in results)
 
 
-def test_tally_of_good_and_bad_files(annotations, cameras) -> None:
+def test_tally_of_good_and_bad_files(annotations, cameras):
     fill(annotations, cameras, "abcde")
     (annotations / "a.json").write_text("{")
     (cameras / "camera_b.json").write_text("{")
@@ -94,7 +92,7 @@ def test_tally_of_good_and_bad_files(annotations, cameras) -> None:
     assert evaluated.summary()[5.0].completeness == pytest.approx(1 / 3)
 
 
-def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras) -> None:
+def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras):
     fill(annotations, cameras, "ab")
     (cameras / "camera_a.json").unlink()
     (cameras / "camera_a.json").mkdir()
@@ -106,7 +104,7 @@ def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras)
 @pytest.mark.parametrize("workers", [1, 2])
 def test_figures_do_not_depend_on_the_number_of_processes(
     annotations, cameras, monkeypatch, workers
-) -> None:
+):
     names = [f"{i:03}" for i in range(30)]
     fill(annotations, cameras, names)
     (cameras / "camera_007.json").write_text("[]")
@@ -122,7 +120,7 @@ def test_figures_do_not_depend_on_the_number_of_processes(
     assert evaluated.with_camera == 29
 
 
-def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch) -> None:
+def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch):
     fill(annotations, cameras, [f"{i:03}" for i in range(30)])
     monkeypatch.setattr(evaluation, "CHUNK", 2)
     with make_executor(2) as executor:
@@ -133,7 +131,7 @@ def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch) -> None:
         assert len(list(run(annotations, cameras, executor))) == 30
 
 
-def test_nothing_to_do_is_said_before_any_work(annotations, cameras) -> None:
+def test_nothing_to_do_is_said_before_any_work(annotations, cameras):
     with pytest.raises(UsageError, match="no annotation"):
         run(annotations, cameras)
     fill(annotations, cameras, ["1"])
@@ -142,14 +140,14 @@ def test_nothing_to_do_is_said_before_any_work(annotations, cameras) -> None:
         run(annotations, cameras)
 
 
-def test_thresholds_are_positive_and_each_counts_once() -> None:
+def test_thresholds_are_positive_and_each_counts_once():
     assert check_thresholds([5, 2.5, 5.0]) == (5.0, 2.5)
     for bad in ([], [0.0], [-1.0], [float("nan")], [float("inf")]):
         with pytest.raises(UsageError):
             check_thresholds(bad)
 
 
-def test_groups_sum_up_their_own_frames_only(annotations, cameras, monkeypatch) -> None:
+def test_groups_sum_up_their_own_frames_only(annotations, cameras, monkeypatch):
     names = [f"{i:03}" for i in range(9)]
     fill(annotations, cameras, names)
     (cameras / "camera_001.json").unlink()
@@ -214,7 +212,7 @@ def tags(tmp_path: Path, text: str | bytes) -> Tags:
     ],
     ids=["plain", "bom-crlf", "semicolons", "tabs", "quoted"],
 )
-def test_forms_of_csv(tmp_path, text) -> None:
+def test_forms_of_csv(tmp_path, text):
     read = tags(tmp_path, text)
     assert set(read.columns) == {"stadium", "light"}
     grouping = read.grouping(("light", "model", "stadium"), "any")
@@ -223,7 +221,7 @@ def test_forms_of_csv(tmp_path, text) -> None:
     assert grouping.of("2") == (None, None, None)
 
 
-def test_rows_of_a_named_set_count_for_it_only(tmp_path) -> None:
+def test_rows_of_a_named_set_count_for_it_only(tmp_path):
     read = tags(tmp_path, "set,frame,light\na,1,day\nb,1,night\n")
     assert read.columns == ("light",)
     assert [read.grouping(("light",), name).of("1") for name in "abc"] == [
@@ -238,13 +236,13 @@ def test_rows_of_a_named_set_count_for_it_only(tmp_path) -> None:
         ("frame,\n1,day\n", r"line 1: column 2 has no name"),
     ],
 )
-def test_damaged_files_are_one_clear_error(tmp_path, text, says) -> None:
+def test_damaged_files_are_one_clear_error(tmp_path, text, says):
     with pytest.raises(InputError, match=says) as caught:
         tags(tmp_path, text)
     assert str(tmp_path / "tags.csv") in str(caught.value)
 
 
-def test_what_can_be_grouped_by(tmp_path) -> None:
+def test_what_can_be_grouped_by(tmp_path):
     read = tags(tmp_path, "frame,stadium,light\n1,A,day\n")
     assert check_by(["light", "model", "light"], read) == ("light", "model")
     with pytest.raises(UsageError, match="'lihgt': there is model, stadium, light"):
@@ -257,7 +255,7 @@ def test_what_can_be_grouped_by(tmp_path) -> None:
 
 
 @pytest.mark.parametrize(("told", "asked"), CALLED_OTHERWISE)
-def test_tables_know_a_frame_by_its_other_names(tmp_path, told, asked) -> None:
+def test_tables_know_a_frame_by_its_other_names(tmp_path, told, asked):
     grouping = tags(tmp_path, f"frame,light\n{told},day\n").grouping(("light",), "any")
     assert grouping.of(asked) == ("day",)
     (tmp_path / "stadiums.csv").write_text(f"frame,stadium,length\n{told},Source,100\n")

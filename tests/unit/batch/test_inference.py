@@ -1,7 +1,5 @@
 """Sources side by side on drawn figures: what is compared on which frames, clusters, strata."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
@@ -68,7 +66,7 @@ def certain(sources, by=NONE, tags=None, order=None) -> Inference:
     return Inference(sources, clusters_of(sources[0].names, by, tags or {}, order), DRAWS)
 
 
-def test_tables_of_few_clusters_say_what_they_cannot_tell(three) -> None:
+def test_tables_of_few_clusters_say_what_they_cannot_tell(three):
     def said(clusters: int, method: str) -> str:
         tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
         numbers = clusters_of(three[0].names, "match", tags)
@@ -86,7 +84,7 @@ def test_tables_of_few_clusters_say_what_they_cannot_tell(three) -> None:
     assert alone.cautions == ()
 
 
-def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three) -> None:
+def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three):
     def needed(clusters: int) -> list[dict]:
         tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
         numbers = clusters_of(three[0].names, "match", tags)
@@ -100,7 +98,7 @@ def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three) ->
         assert row["least_difference"] is None
 
 
-def test_a_part_of_one_cluster_is_warned_of(three) -> None:
+def test_a_part_of_one_cluster_is_warned_of(three):
     tags = {f"{n:03}": str(n // 10) for n in range(60)}
     whole = Inference(three, clusters_of(three[0].names, "match", tags), DRAWS)
     parts = strata(whole, "half", ["first" if n < 10 else "rest" for n in range(60)])
@@ -109,7 +107,7 @@ def test_a_part_of_one_cluster_is_warned_of(three) -> None:
     assert whole.cautions == ()
 
 
-def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None:
+def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three):
     plain, better, _ = three
     fitted = SourceSums("fit", TAUS, tuple(replace(f, fitted=ANOTHER) for f in better.frames))
     worse = source("worse", [f.figures[1, 0] - 0.1 for f in plain.frames])
@@ -129,7 +127,7 @@ def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None
     }
 
 
-def test_the_error_of_fewer_points_is_not_bold(three) -> None:
+def test_the_error_of_fewer_points_is_not_bold(three):
     plain, better, _ = three
     flat = SourceSums("flat", TAUS, tuple(replace(f, ground_only=True) for f in better.frames))
     columns = [c.key for c in differences_table(certain((plain, better)), "").columns]
@@ -140,7 +138,7 @@ def test_the_error_of_fewer_points_is_not_bold(three) -> None:
     assert not any(at == error for _, at in bold)
 
 
-def test_means_are_compared_on_the_frames_both_have_and_scores_on_all(three) -> None:
+def test_means_are_compared_on_the_frames_both_have_and_scores_on_all(three):
     found = certain(three)
     pair = next(p for p in found.pairs if (p.a, p.b) == (0, 1))
     assert (pair.shared, pair.only_a, pair.only_b) == (58, ("003", "009"), ())
@@ -154,7 +152,7 @@ def test_means_are_compared_on_the_frames_both_have_and_scores_on_all(three) -> 
     assert score.value == pytest.approx((np.nansum(both[0]) - np.nansum(both[1])) / 60)
 
 
-def test_best_and_ranks_only_where_the_data_can_tell(three) -> None:
+def test_best_and_ranks_only_where_the_data_can_tell(three):
     found = certain(three)
     assert found.best("mean_jac", 5.0) == 1
     assert found.ranks("mean_jac", 5.0) == [2, 1, 2]
@@ -164,7 +162,7 @@ def test_best_and_ranks_only_where_the_data_can_tell(three) -> None:
     assert found.chances_of_being_best[5.0][1] > 0.99
 
 
-def test_no_source_is_best_in_sets_that_are_all_the_same_or_empty(three) -> None:
+def test_no_source_is_best_in_sets_that_are_all_the_same_or_empty(three):
     plain, better, _ = three
     nothing = [None, None]
     first = source("first", [plain.frames[0].figures[1, 0], *nothing])
@@ -179,7 +177,7 @@ def test_no_source_is_best_in_sets_that_are_all_the_same_or_empty(three) -> None
     assert certain(pair).chances_of_being_best[5.0] == [0.0, 1.0]
 
 
-def test_intervals_hold_the_figures_and_no_share_leaves_its_range(three) -> None:
+def test_intervals_hold_the_figures_and_no_share_leaves_its_range(three):
     found = certain(three).intervals[1]
     jac = found["mean_jac", 5.0]
     assert jac.low < np.nanmean([f.figures[1, 0] for f in three[1].frames]) < jac.high
@@ -187,7 +185,7 @@ def test_intervals_hold_the_figures_and_no_share_leaves_its_range(three) -> None
     assert found["mean_error", 2.0].low > 0
 
 
-def test_frames_of_one_cluster_widen_intervals_and_clusters_of_one_frame_do_not(three) -> None:
+def test_frames_of_one_cluster_widen_intervals_and_clusters_of_one_frame_do_not(three):
     rng = np.random.default_rng(2)
     matches = {name: str(n // 6) for n, name in enumerate(three[0].names)}
     alike = rng.uniform(0.2, 0.9, 10).repeat(6)
@@ -199,7 +197,7 @@ def test_frames_of_one_cluster_widen_intervals_and_clusters_of_one_frame_do_not(
     assert width["match"] > 2 * width[NONE]
 
 
-def test_clusters() -> None:
+def test_clusters():
     names = ["a_01", "a_02", "b_01", "b_02", "b_03"]
     by_name = clusters_of(names, None, {})
     assert (by_name.count, by_name.by) == (2, SHOT)
@@ -221,7 +219,7 @@ def test_clusters() -> None:
         clusters_of(["1", "2"], "match", {})
 
 
-def test_the_difference_is_a_curve_over_tau_with_a_band(three) -> None:
+def test_the_difference_is_a_curve_over_tau_with_a_band(three):
     band = certain(three).curve_of_difference(1, 0)
     assert band.values.shape == TAU_GRID.shape
     assert (band.low <= band.values).all()
@@ -231,7 +229,7 @@ def test_the_difference_is_a_curve_over_tau_with_a_band(three) -> None:
     )
 
 
-def test_the_same_seed_gives_the_same_and_sources_of_other_frames_are_refused(three) -> None:
+def test_the_same_seed_gives_the_same_and_sources_of_other_frames_are_refused(three):
     first, again = certain(three), certain(three)
     assert first.pairs[0].differences == again.pairs[0].differences
     assert first.chances_of_being_best == again.chances_of_being_best
@@ -241,7 +239,7 @@ def test_the_same_seed_gives_the_same_and_sources_of_other_frames_are_refused(th
     assert [len(s.frames) for s in restrict_to_common_frames((three[0], short))] == [59, 59]
 
 
-def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
+def test_strata_are_corrected_together_and_say_where_sources_differ():
     rng = np.random.default_rng(3)
     jacs = rng.uniform(0.3, 0.7, 80)
     worse = jacs + rng.normal(0, 0.02, 80) - np.where(np.arange(80) < 40, 0.0, 0.2)
@@ -264,7 +262,7 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
         values_of_frames("weather", sources, FIELD, {})
 
 
-def test_of_many_sources_those_that_lead_are_compared() -> None:
+def test_of_many_sources_those_that_lead_are_compared():
     rng = np.random.default_rng(3)
     jacs = rng.uniform(0.2, 0.9, (MAX_COMPARED + 5, 12))
     sources = tuple(source(f"s{n}", own) for n, own in enumerate(jacs))
@@ -281,7 +279,7 @@ def test_of_many_sources_those_that_lead_are_compared() -> None:
     assert 0 not in certain((fits, *sources[1:])).compared
 
 
-def test_strata_by_what_cameras_and_annotations_are_like() -> None:
+def test_strata_by_what_cameras_and_annotations_are_like():
     def pose(focal: float, y: float, x: float = 0.0) -> Pose:
         return Pose(0, 80, 0, focal, (x, y, -15))
 
@@ -297,7 +295,7 @@ def test_strata_by_what_cameras_and_annotations_are_like() -> None:
     assert values_of_frames("elements", sources, FIELD, {})[0] == "3 to 4 elements"
 
 
-def test_what_clicks_make_of_figures_and_differences(three) -> None:
+def test_what_clicks_make_of_figures_and_differences(three):
     found = certain(three)
     spread = click_noise_spread(found, 0)
     assert spread.deviations[1] == pytest.approx(0.05 / math.sqrt(60), rel=0.2)
@@ -308,7 +306,7 @@ def test_what_clicks_make_of_figures_and_differences(three) -> None:
     assert pair.distinguishable_from is not None
 
 
-def test_a_source_without_a_camera_has_no_final_score_and_no_difference(three) -> None:
+def test_a_source_without_a_camera_has_no_final_score_and_no_difference(three):
     plain = three[0]
     taus = len(TAUS)
     nothing = np.full((taus, 5), np.nan)

@@ -1,7 +1,5 @@
 """The check of many frames goes on past what cannot be checked."""
 
-from __future__ import annotations
-
 import json
 
 import pytest
@@ -22,11 +20,10 @@ BENT = FrameAnnotation(
 
 
 def rules(checked: FrameCheck | str) -> list[Rule]:
-    assert isinstance(checked, FrameCheck)
     return [found.finding.rule for found in checked.found]
 
 
-def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_path) -> None:
+def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_path):
     places = ", ".join(f'{{"x": {p.u}, "y": {p.v}}}' for p in BENT.polylines[0].points)
     (tmp_path / "a.json").write_text(f'{{"Middle line": [{places}]}}')
     (tmp_path / "b.json").write_text('{"Middle line": [], "Middle line": []}')
@@ -40,25 +37,25 @@ def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_pa
     assert rules(found["c"]) == []
 
 
-def test_a_picture_that_no_camera_has_is_told() -> None:
+def test_a_picture_that_no_camera_has_is_told():
     frames = [FrameToCheck("a", BENT, (1, 1)), FrameToCheck("b", BENT, SIZE)]
     (_, tiny), (_, fine) = CheckFrames(FIELD, "R")(frames)
     assert "too small" in str(tiny)
     assert rules(fine) == [Rule.BENT]
 
 
-def test_no_camera_is_fitted_where_none_may_be() -> None:
+def test_no_camera_is_fitted_where_none_may_be():
     ((_, checked),) = CheckFrames(FIELD, "R")([FrameToCheck("a", BENT, SIZE, fitted=False)])
     assert checked == check_without_fit(BENT, FIELD, size=SIZE)
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+", "auto"])
-def test_every_model_will_do(model) -> None:
+def test_every_model_will_do(model):
     ((_, checked),) = CheckFrames(FIELD, model)([FrameToCheck("a", BENT, SIZE)])
     assert rules(checked) == [Rule.BENT]
 
 
-def test_a_set_tells_which_frame_stands_on_the_other_side(sample_data, tmp_path) -> None:
+def test_a_set_tells_which_frame_stands_on_the_other_side(sample_data, tmp_path):
     names = {name: FIELD.half_turn.name_of(name) for name in FIELD.index}
     for name in ("00002", "00003", "00004", "00006"):
         content = json.loads((sample_data / f"{name}.json").read_text())

@@ -1,7 +1,5 @@
 """A fit kept as the camera of its frame remembers what it was fitted from."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 
@@ -43,7 +41,7 @@ def homography(clicks) -> FitResult:
     return fit_camera(clicks, FIELD, model="H", size=SIZE)
 
 
-def test_it_is_a_camera_like_any_other(tmp_path, clicks, sample_data, pinhole) -> None:
+def test_it_is_a_camera_like_any_other(tmp_path, clicks, sample_data, pinhole):
     path = save_fit(tmp_path / "fitted", "00002", clicks, pinhole, field=FIELD.name)
     cameras = CameraSet.open(path.parent)
     found = cameras.camera("00002", SIZE)
@@ -56,7 +54,7 @@ def test_it_is_a_camera_like_any_other(tmp_path, clicks, sample_data, pinhole) -
     assert content["annotation_sha256"] == hashlib.sha256(written).hexdigest()
 
 
-def test_a_frame_has_one_saved_fit(tmp_path, clicks, pinhole, homography) -> None:
+def test_a_frame_has_one_saved_fit(tmp_path, clicks, pinhole, homography):
     for fit, files in (
         (pinhole, {"camera_a.json"}),
         (homography, {"a.npy", "a.fit"}),
@@ -72,7 +70,7 @@ def test_a_frame_has_one_saved_fit(tmp_path, clicks, pinhole, homography) -> Non
 @pytest.mark.parametrize("model", ["P", "H"])
 def test_what_it_was_fitted_to_is_known_in_folders_too(
     tmp_path, clicks, pinhole, homography, model, frames
-) -> None:
+):
     for frame in frames:
         fit = pinhole if model == "P" else homography
         save_fit(tmp_path, frame, clicks, fit, field=FIELD.name)
@@ -84,7 +82,7 @@ def test_what_it_was_fitted_to_is_known_in_folders_too(
     assert beside == ([f"{frame}.fit" for frame in frames] if model == "H" else [])
 
 
-def test_a_table_tells_of_files_that_are_composed_otherwise(tmp_path) -> None:
+def test_a_table_tells_of_files_that_are_composed_otherwise(tmp_path):
     """As where files were copied to a Mac, and the table was not written anew."""
     camera = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
     (tmp_path / "camera_cafe\u0301.json").write_bytes(write_camera(camera))
@@ -95,7 +93,7 @@ def test_a_table_tells_of_files_that_are_composed_otherwise(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("theirs", ["camera_a.json", "a.npy"])
-def test_other_cameras_are_not_replaced(tmp_path, clicks, pinhole, theirs) -> None:
+def test_other_cameras_are_not_replaced(tmp_path, clicks, pinhole, theirs):
     path = tmp_path / theirs
     if path.suffix == ".npy":
         np.save(path, np.eye(3))
@@ -109,7 +107,7 @@ def test_other_cameras_are_not_replaced(tmp_path, clicks, pinhole, theirs) -> No
 
 
 class TestFittedCameras:
-    def test_they_are_scaled_to_the_size_asked_for(self, clicks, pinhole) -> None:
+    def test_they_are_scaled_to_the_size_asked_for(self, clicks, pinhole):
         cameras = FittedCameras().with_fit("a", FittedFrame(clicks, pinhole))
         found = cameras.camera("a", (640, 360))
         point = np.array([[0.0, 0.0, 0.0]])
@@ -117,7 +115,7 @@ class TestFittedCameras:
         half, _ = found.camera.project(point)
         assert half * (1279 / 639, 719 / 359) == pytest.approx(whole, abs=1e-6)
 
-    def test_a_failure_says_why_and_others_never_change(self, clicks) -> None:
+    def test_a_failure_says_why_and_others_never_change(self, clicks):
         failed = FitResult("P", SIZE, None, "2 elements, 3 needed")
         before = FittedCameras()
         cameras = before.with_fit("a", FittedFrame(clicks, failed))
@@ -129,7 +127,7 @@ class TestFittedCameras:
         assert cameras.without(["b"]) is cameras
 
 
-def test_of_cameras_in_one_file_it_is_known_too(tmp_path, clicks, pinhole) -> None:
+def test_of_cameras_in_one_file_it_is_known_too(tmp_path, clicks, pinhole):
     own = json.loads(save_fit(tmp_path / "a", "1", clicks, pinhole, field=FIELD.name).read_text())
     plain = {key: value for key, value in own.items() if key != "fit"}
     (tmp_path / "all.json").write_text(json.dumps({"1": own, "2": plain}))
@@ -138,7 +136,7 @@ def test_of_cameras_in_one_file_it_is_known_too(tmp_path, clicks, pinhole) -> No
     assert told == {"1": annotation_digest(clicks), "2": None}
 
 
-def test_what_has_no_place_on_the_field_is_not_left_out(clicks, pinhole) -> None:
+def test_what_has_no_place_on_the_field_is_not_left_out(clicks, pinhole):
     few = FrameAnnotation(clicks.polylines[:5])
     unnamed = Polyline("Line unknown", (Point(0.1, 0.1), Point(0.2, 0.12)))
     setup = EvaluationSetup(FIELD, size=SIZE)

@@ -1,7 +1,5 @@
 """Shots of a set over time: which frames follow each other, and what is found in drawn ones."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from dataclasses import replace
@@ -64,7 +62,7 @@ def shot(frames: int) -> tuple[tuple[PinholeCamera, ...], list[str]]:
     return soccer_shot(frames, size=SIZE).cameras, [f"a_{n:04d}" for n in range(frames)]
 
 
-def test_a_true_camera_is_steady_and_on_time(tmp_path) -> None:
+def test_a_true_camera_is_steady_and_on_time(tmp_path):
     cameras, names = shot(80)
     annotations = write_clicks(tmp_path / "annotations", cameras[::4], names[::4])
     found = over_time(annotations, write_set(tmp_path / "c", cameras, names), shots_by_name(names))
@@ -77,7 +75,7 @@ def test_a_true_camera_is_steady_and_on_time(tmp_path) -> None:
     assert (one.offset.shift, one.offset.is_sure) == (0, True)
 
 
-def test_a_frame_annotated_as_empty_counts_in_jac_and_says_nothing_of_shifts(tmp_path) -> None:
+def test_a_frame_annotated_as_empty_counts_in_jac_and_says_nothing_of_shifts(tmp_path):
     cameras, names = shot(12)
     annotations = write_clicks(tmp_path / "annotations", cameras[:4], names[:4])
     folder = write_set(tmp_path / "c", cameras, names)
@@ -92,7 +90,7 @@ def test_a_frame_annotated_as_empty_counts_in_jac_and_says_nothing_of_shifts(tmp
 
 
 @pytest.mark.parametrize("late", [1, -2])
-def test_cameras_that_are_late_are_told_from_clicks(tmp_path, late) -> None:
+def test_cameras_that_are_late_are_told_from_clicks(tmp_path, late):
     cameras, names = shot(40)
     moved = [cameras[min(max(n - late, 0), 39)] for n in range(40)]
     annotations = write_clicks(tmp_path / "annotations", cameras[::3], names[::3])
@@ -101,7 +99,7 @@ def test_cameras_that_are_late_are_told_from_clicks(tmp_path, late) -> None:
     assert one.offset.cost_px < one.offset.cost_as_is_px
 
 
-def test_cameras_that_are_late_are_told_from_pictures(tmp_path) -> None:
+def test_cameras_that_are_late_are_told_from_pictures(tmp_path):
     """No frame is annotated that could say so: only what moves in the pictures."""
     drawn = soccer_shot(12, size=(480, 270), look=Look(people=False))
     names = [f"{n:05d}" for n in range(12)]
@@ -119,7 +117,7 @@ def test_cameras_that_are_late_are_told_from_pictures(tmp_path) -> None:
     assert not one.errors
 
 
-def test_frames_without_a_camera_are_outages_and_damage_is_told(tmp_path) -> None:
+def test_frames_without_a_camera_are_outages_and_damage_is_told(tmp_path):
     cameras, names = shot(30)
     given: list[PinholeCamera | None] = list(cameras)
     given[10:13] = [None] * 3
@@ -132,7 +130,7 @@ def test_frames_without_a_camera_are_outages_and_damage_is_told(tmp_path) -> Non
     assert len(one.errors) == 1
 
 
-def test_projections_alone_are_no_outage(tmp_path) -> None:
+def test_projections_alone_are_no_outage(tmp_path):
     cameras, names = shot(12)
     annotations = write_clicks(tmp_path / "annotations", cameras, names)
     lines = tmp_path / "lines"
@@ -148,7 +146,7 @@ def test_projections_alone_are_no_outage(tmp_path) -> None:
     assert one.offset is not None
 
 
-def test_unrelated_frames_are_refused(tmp_path) -> None:
+def test_unrelated_frames_are_refused(tmp_path):
     cameras, names = shot(20)
     random = np.random.default_rng(1)
     strewn = [replace(c, pan_rad=c.pan_rad + random.uniform(-0.5, 0.5)) for c in cameras]
@@ -158,7 +156,7 @@ def test_unrelated_frames_are_refused(tmp_path) -> None:
         require_shots(found, "by their names")
 
 
-def test_no_three_frames_in_a_row(tmp_path) -> None:
+def test_no_three_frames_in_a_row(tmp_path):
     cameras, names = shot(4)
     annotations = write_clicks(tmp_path / "annotations", cameras, names)
     folder = write_set(tmp_path / "c", cameras, names)
@@ -166,7 +164,7 @@ def test_no_three_frames_in_a_row(tmp_path) -> None:
         over_time(annotations, folder, shots_by_name(["one", "two", "three"]))
 
 
-def test_two_frames_of_a_shot_with_one_number_are_refused(tmp_path) -> None:
+def test_two_frames_of_a_shot_with_one_number_are_refused(tmp_path):
     cameras, names = shot(4)
     annotations = write_clicks(tmp_path / "annotations", cameras, names)
     folder = write_set(tmp_path / "c", cameras, names)
@@ -176,7 +174,7 @@ def test_two_frames_of_a_shot_with_one_number_are_refused(tmp_path) -> None:
         over_time(annotations, folder, [twice])
 
 
-def test_names_tell_shots() -> None:
+def test_names_tell_shots():
     names = ["b2_10", "b2_9", "b2_11", "a-1", "a-2", "a-500", "odd"]
     found = shots_by_name(names)
     assert [(s.name, s.frames) for s in found] == [
@@ -189,7 +187,7 @@ def test_names_tell_shots() -> None:
     assert plain.name == "00001"
 
 
-def test_a_table_tells_shots(tmp_path) -> None:
+def test_a_table_tells_shots(tmp_path):
     file = tmp_path / "frames.csv"
     file.write_text("frame,shot,number\nx,one,7\ny,one,6\nz,two,1\n")
     order = FrameOrder.read(file)
@@ -208,7 +206,7 @@ def test_a_table_tells_shots(tmp_path) -> None:
         ("frame,number\na,-1\n", "no number"),
     ],
 )
-def test_a_table_that_cannot_be_used(tmp_path, text, problem) -> None:
+def test_a_table_that_cannot_be_used(tmp_path, text, problem):
     file = tmp_path / "frames.csv"
     file.write_text(text)
     with pytest.raises(InputError, match=problem):

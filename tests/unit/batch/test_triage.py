@@ -1,7 +1,5 @@
 """Verdicts outlive the program, also in older databases; worst first; the exported table."""
 
-from __future__ import annotations
-
 import csv
 import io
 from pathlib import Path
@@ -51,13 +49,13 @@ class TestFilter:
             ("verdict:", {"fine"}, True),  # not finished yet
         ],
     )
-    def test_by_verdict(self, query, verdicts, matches) -> None:
+    def test_by_verdict(self, query, verdicts, matches):
         from dataclasses import replace
 
         facts = replace(self.FACTS, verdicts=frozenset(verdicts))
         assert parse_query(query, FIELD).matches(facts) is matches
 
-    def test_what_is_no_verdict_is_told(self) -> None:
+    def test_what_is_no_verdict_is_told(self):
         with pytest.raises(UsageError, match=r"'guilty' is not a verdict; choose one of camera"):
             parse_query("verdict:guilty", FIELD)
 
@@ -84,14 +82,14 @@ class TestCheckFilter:
             ("check:", None, True),  # not finished yet
         ],
     )
-    def test_by_what_the_label_check_found(self, query, findings, matches) -> None:
+    def test_by_what_the_label_check_found(self, query, findings, matches):
         from dataclasses import replace
 
         known = None if findings is None else frozenset(findings)
         facts = replace(self.FACTS, findings=known)
         assert parse_query(query, FIELD).matches(facts) is matches
 
-    def test_what_is_no_finding_is_told(self) -> None:
+    def test_what_is_no_finding_is_told(self):
         with pytest.raises(UsageError, match=r"'fatal' is not a finding; choose one of error"):
             parse_query("check:fatal", FIELD)
 
@@ -100,19 +98,19 @@ INDEX = {"a": 0, "b": 1, "c": 2, "d": 3}
 
 
 class TestOrder:
-    def test_worst_first_and_alike_in_the_order_of_the_set(self) -> None:
+    def test_worst_first_and_alike_in_the_order_of_the_set(self):
         values = {"d": 0.5, "b": 0.5, "a": 0.9, "gone": 0.0}
         assert worst_frames_first(values, INDEX, low=True) == [1, 3, 0]
         assert worst_frames_first(values, INDEX, low=False) == [0, 1, 3]
 
-    def test_a_walk_visits_every_frame_once_and_begins_again(self) -> None:
+    def test_a_walk_visits_every_frame_once_and_begins_again(self):
         order = [1, 3, 0]
         assert next_worst(order, -1, 2) == 0
         assert next_worst(order, 0, 1) == 1
         assert next_worst(order, 1, 3) == 2
         assert next_worst(order, 2, 0) == 0
 
-    def test_a_walk_goes_on_where_it_was_left_and_never_stays(self) -> None:
+    def test_a_walk_goes_on_where_it_was_left_and_never_stays(self):
         order = [1, 3, 0]
         assert next_worst(order, 0, 7) == 1  # somebody looked at another frame meanwhile
         assert next_worst(order, 0, 3) == 2  # and this one is on screen already
@@ -122,7 +120,7 @@ class TestOrder:
 
 
 class TestCompare:
-    def test_the_median_is_that_of_the_map(self, sample_data) -> None:
+    def test_the_median_is_that_of_the_map(self, sample_data):
         true, bad = (CameraSet.open(sample_data / "cameras" / n) for n in ("true", "bad"))
         found = set_disagreement(["00001", "00002", "no such"], true, bad, SETUP)
         assert found.finished
@@ -136,12 +134,12 @@ class TestCompare:
         assert found.metres["00002"] == exact.statistics.metres.median
         assert found.metres["00002"] > 0.05
 
-    def test_a_source_agrees_with_itself(self, sample_data) -> None:
+    def test_a_source_agrees_with_itself(self, sample_data):
         true = CameraSet.open(sample_data / "cameras" / "true")
         found = set_disagreement(["00001"], true, true, SETUP)
         assert found.metres["00001"] == pytest.approx(0.0, abs=1e-9)
 
-    def test_it_can_be_stopped(self, sample_data) -> None:
+    def test_it_can_be_stopped(self, sample_data):
         true = CameraSet.open(sample_data / "cameras" / "true")
         calls = iter([False, True])
         found = set_disagreement(
@@ -156,7 +154,7 @@ class TestExport:
         path = folder / f"{name}.json"
         return read_annotation(path.read_bytes(), path=str(path), field=FIELD)
 
-    def test_the_figures_are_those_of_the_metric(self, sample_data) -> None:
+    def test_the_figures_are_those_of_the_metric(self, sample_data):
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
         verdict = Verdict(
             "00002", "bad", BAD, FaultParty.CAMERA, "Anna", 1_700_000_000.0, '=1+1 "x"'
@@ -184,14 +182,14 @@ class TestExport:
         assert row["comment"] == '\'=1+1 "x"'
         assert row["terms"] == "soccernet, 960x540"
 
-    def test_a_frame_annotated_as_empty_is_judged(self, sample_data) -> None:
+    def test_a_frame_annotated_as_empty_is_judged(self, sample_data):
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
         verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 0.0)
         found = judge_verdict(verdict, cameras, lambda n: FrameAnnotation(()), SETUP, 5.0)
         assert (found.jac, found.largest_px, found.worst_element) == (0.0, None, "")
         assert found.problem == ""
 
-    def test_without_figures_it_says_why(self, sample_data) -> None:
+    def test_without_figures_it_says_why(self, sample_data):
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
         verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 0.0)
         missing = judge_verdict(verdict, None, lambda n: None, SETUP, 5.0)

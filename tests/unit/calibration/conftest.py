@@ -1,7 +1,5 @@
 """Made-up views of a field: a camera somewhere around it, and what an annotator would click."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -1,8 +1,6 @@
 """Plain pictures of a field, quickly drawn: lines of the right width on a ground with grain that
 stays where it is."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import cv2

@@ -1,7 +1,5 @@
 """Standard deviations say how far fits to other clicks of the same frame scatter."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +14,7 @@ from procc_annotator.field.model import Element
 SIZE = (960, 540)
 
 
-def test_standard_deviations_are_about_the_scatter(views, field) -> None:
+def test_standard_deviations_are_about_the_scatter(views, field):
     """Points of an element count as the square root of their number, so a little too large."""
     rng = np.random.default_rng(1)
     truth = views.main(rng).camera
@@ -39,7 +37,7 @@ def test_standard_deviations_are_about_the_scatter(views, field) -> None:
 @pytest.mark.parametrize(
     ("model", "k1"), [("H", 0.05), ("P", 0.05), ("R", 0.05), ("R+", 0.05), ("R", -0.5)]
 )
-def test_projected_covariance_by_moving_the_parameters(views, field, model, k1) -> None:
+def test_projected_covariance_by_moving_the_parameters(views, field, model, k1):
     view = views.main(np.random.default_rng(2), k1=k1)
     fit = fit_camera(view.annotation, field, model=model)
     assert model == "H" or np.sign(fit.camera.radial[0]) == (0 if model == "P" else np.sign(k1))
@@ -73,7 +71,7 @@ def test_projected_covariance_by_moving_the_parameters(views, field, model, k1) 
     np.testing.assert_allclose(along_x, np.sqrt(expected[:, 0, 0]), rtol=1e-3)
 
 
-def test_more_elements_make_it_surer(views, field) -> None:
+def test_more_elements_make_it_surer(views, field):
     annotation = views.main(np.random.default_rng(3)).annotation
     assert len(annotation.polylines) >= 8
     far = np.array([(0.0, 0.0, 0.0)])
@@ -84,7 +82,7 @@ def test_more_elements_make_it_surer(views, field) -> None:
     assert sds[0] > sds[1] > sds[2]
 
 
-def test_points_out_of_sight_have_none(views, field) -> None:
+def test_points_out_of_sight_have_none(views, field):
     annotation = views.main(np.random.default_rng(4)).annotation
     behind, above = (0.0, 120.0, 0.0), (-40.0, 0.0, -2.44)
     pinhole, flat = fit_camera(annotation, field), fit_camera(annotation, field, model="H")
@@ -96,7 +94,7 @@ def test_points_out_of_sight_have_none(views, field) -> None:
     assert failed.mean_px is None
 
 
-def test_the_noise_of_spots_is_what_clicks_are_off_along_each_axis(views) -> None:
+def test_the_noise_of_spots_is_what_clicks_are_off_along_each_axis(views):
     """Both coordinates of a click on a spot count, each with an error of its own."""
     rng = np.random.default_rng(6)
     camera = views.main(rng, k1=0.0).camera

@@ -1,7 +1,5 @@
 """What elements lie beside the model by is told from the residuals, and the camera is no surer."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -25,7 +23,7 @@ def beside(annotation: FrameAnnotation, rng: np.random.Generator, by_px: float) 
     return FrameAnnotation(tuple(moved))
 
 
-def test_the_offsets_of_elements_are_told_from_the_noise_of_clicks(views, field) -> None:
+def test_the_offsets_of_elements_are_told_from_the_noise_of_clicks(views, field):
     rng = np.random.default_rng(1)
     truth = views.main(rng).camera
     said: dict[float, list[float]] = {0.0: [], 2.0: []}
@@ -39,7 +37,7 @@ def test_the_offsets_of_elements_are_told_from_the_noise_of_clicks(views, field)
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_what_the_residuals_say_of_the_model_is_in_every_deviation(views, field, model) -> None:
+def test_what_the_residuals_say_of_the_model_is_in_every_deviation(views, field, model):
     rng = np.random.default_rng(2)
     clicked = beside(views.main(rng, noise_px=0.7, k1=0.0).annotation, rng, 2.0)
     fit = fit_camera(clicked, field, model=model)
@@ -54,7 +52,7 @@ def test_what_the_residuals_say_of_the_model_is_in_every_deviation(views, field,
         assert fit.deviations.pan_rad == pytest.approx(np.sqrt(fit.covariance[0, 0]))
 
 
-def test_a_ghost_may_lie_beside_the_model_as_the_others_do(views, field) -> None:
+def test_a_ghost_may_lie_beside_the_model_as_the_others_do(views, field):
     rng = np.random.default_rng(3)
     clicked = views.main(rng, noise_px=0.7).annotation
     left = clicked.without("Small rect. left main")
@@ -64,7 +62,7 @@ def test_a_ghost_may_lie_beside_the_model_as_the_others_do(views, field) -> None
     assert min(piece.sd_px.min() for piece in ghost.pieces) > fit.offset_px
 
 
-def test_three_elements_tell_nothing_of_offsets(views, field) -> None:
+def test_three_elements_tell_nothing_of_offsets(views, field):
     annotation = views.main(np.random.default_rng(4)).annotation
     fit = fit_camera(FrameAnnotation(annotation.polylines[:3]), field)
     if fit.camera is not None:

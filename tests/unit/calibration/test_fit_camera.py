@@ -1,7 +1,5 @@
 """Cameras come back from clicks; bad input is declined in words, and nothing is guessed."""
 
-from __future__ import annotations
-
 import warnings
 from collections import Counter
 from dataclasses import replace
@@ -37,7 +35,7 @@ def turned(annotation: FrameAnnotation, field) -> FrameAnnotation:
         pytest.param("R", 50, 3, marks=pytest.mark.soak),
     ],
 )
-def test_cameras_on_all_sides_come_back(views, field, median_error, model, count, elements) -> None:
+def test_cameras_on_all_sides_come_back(views, field, median_error, model, count, elements):
     rng = np.random.default_rng(20)
     errors, sides = [], []
     for _ in range(count):
@@ -58,9 +56,7 @@ def test_cameras_on_all_sides_come_back(views, field, median_error, model, count
         ((-23.0, 49.0, -23.0), 2800.0, 15, 71),
     ],
 )
-def test_the_middle_of_the_field_is_enough(
-    views, field, median_error, position, focal, pan, tilt
-) -> None:
+def test_the_middle_of_the_field_is_enough(views, field, median_error, position, focal, pan, tilt):
     """Centre circle, middle line and one side line: what a broadcast shows most of the time."""
     camera = PinholeCamera(
         np.deg2rad(pan), np.deg2rad(tilt), 0.0, position, (focal, focal), (479.5, 269.5),
@@ -74,7 +70,7 @@ def test_the_middle_of_the_field_is_enough(
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_exact_clicks_give_the_exact_camera(views, field, median_error, model) -> None:
+def test_exact_clicks_give_the_exact_camera(views, field, median_error, model):
     view = views.main(
         np.random.default_rng(1), noise_px=0.0, k1=0.08 if model.startswith("R") else 0.0
     )
@@ -86,7 +82,7 @@ def test_exact_clicks_give_the_exact_camera(views, field, median_error, model) -
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_the_camera_is_for_the_size_asked_for(views, field, model) -> None:
+def test_the_camera_is_for_the_size_asked_for(views, field, model):
     """The same annotation at other picture sizes: the same camera, scaled."""
     view = views.main(np.random.default_rng(2))
     cameras = [
@@ -103,7 +99,7 @@ def test_the_camera_is_for_the_size_asked_for(views, field, model) -> None:
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_turned_labels_give_the_turned_camera(views, field, model) -> None:
+def test_turned_labels_give_the_turned_camera(views, field, model):
     """Half a turn of field and labels is a symmetry of everything, so also of the fit."""
     rng = np.random.default_rng(5)
     for side in range(4):
@@ -121,7 +117,7 @@ def test_turned_labels_give_the_turned_camera(views, field, model) -> None:
         assert one.mean_px == pytest.approx(other.mean_px, abs=1e-3)
 
 
-def test_order_of_elements_and_points_does_not_matter(views, field) -> None:
+def test_order_of_elements_and_points_does_not_matter(views, field):
     view = views.main(np.random.default_rng(6))
     shuffled = FrameAnnotation(
         tuple(Polyline(p.class_name, p.points[::-1]) for p in reversed(view.annotation.polylines))
@@ -134,7 +130,7 @@ def test_order_of_elements_and_points_does_not_matter(views, field) -> None:
 
 
 @pytest.mark.parametrize("model", ["R", "auto"])
-def test_a_wrong_label_is_left_out_and_named(views, field, median_error, model) -> None:
+def test_a_wrong_label_is_left_out_and_named(views, field, median_error, model):
     view = views.main(np.random.default_rng(7))
     points = view.annotation.get("Small rect. left main").points
     wrong = view.annotation.without("Small rect. left main").with_polyline(
@@ -145,7 +141,7 @@ def test_a_wrong_label_is_left_out_and_named(views, field, median_error, model) 
     assert median_error(view.camera, found.camera) < 3
 
 
-def test_swapped_labels_are_left_out(views, field, median_error) -> None:
+def test_swapped_labels_are_left_out(views, field, median_error):
     view = views.main(np.random.default_rng(8))
     a, b = "Big rect. left top", "Small rect. left top"
     one, other = view.annotation.get(a), view.annotation.get(b)
@@ -156,7 +152,7 @@ def test_swapped_labels_are_left_out(views, field, median_error) -> None:
     assert median_error(view.camera, found.camera) < 3
 
 
-def test_warm_start_comes_to_the_same_camera(views, field) -> None:
+def test_warm_start_comes_to_the_same_camera(views, field):
     view = views.main(np.random.default_rng(9))
     for model in (*MODELS, "auto"):
         cold = fit_camera(view.annotation, field, model=model)
@@ -176,7 +172,7 @@ def test_warm_start_comes_to_the_same_camera(views, field) -> None:
 
 
 @pytest.mark.parametrize("model", ["H", "R", "auto"])
-def test_a_start_that_is_wrong_does_no_harm(views, field, median_error, model) -> None:
+def test_a_start_that_is_wrong_does_no_harm(views, field, median_error, model):
     view = views.main(np.random.default_rng(10), k1=0.0)
     cold = fit_camera(view.annotation, field, model=model).camera
     elsewhere = views.random(np.random.default_rng(3), side=2).camera
@@ -188,7 +184,7 @@ def test_a_start_that_is_wrong_does_no_harm(views, field, median_error, model) -
         assert median_error(cold, found.camera) < 0.3
 
 
-def test_fewer_than_three_elements_are_declined(views, field) -> None:
+def test_fewer_than_three_elements_are_declined(views, field):
     rng = np.random.default_rng(11)
     for _ in range(5):
         annotation = views.random(rng).annotation
@@ -202,7 +198,7 @@ def test_fewer_than_three_elements_are_declined(views, field) -> None:
     assert fit_camera(only(annotation, 1), field).failure == "1 element, 3 needed"
 
 
-def test_what_has_no_place_on_the_field_does_not_count(views, field) -> None:
+def test_what_has_no_place_on_the_field_does_not_count(views, field):
     annotation = only(views.main(np.random.default_rng(12)).annotation, 2)
     points = annotation.polylines[0].points
     for name in ("Line unknown", "Goal unknown", "Advertisement"):
@@ -212,7 +208,7 @@ def test_what_has_no_place_on_the_field_does_not_count(views, field) -> None:
     assert fit_camera(annotation, field).failure == "2 elements, 3 needed"
 
 
-def test_goals_do_not_count_for_a_homography(field) -> None:
+def test_goals_do_not_count_for_a_homography(field):
     names = ("Goal left crossbar", "Goal left post right", "Goal left post left ", "Middle line")
     annotation = FrameAnnotation(
         tuple(Polyline(n, (Point(0.1 * i, 0.3), Point(0.5, 0.2 * i))) for i, n in enumerate(names))
@@ -231,7 +227,7 @@ NAMES = ("Side line left", "Big rect. left main", "Big rect. left top", "Circle 
         ([(0.1, 0.1), (0.5, 0.5), (0.9, 0.9)], "all points lie on one line"),
     ],
 )
-def test_points_that_say_nothing_are_declined(field, points, why) -> None:
+def test_points_that_say_nothing_are_declined(field, points, why):
     annotation = FrameAnnotation(
         tuple(Polyline(n, tuple(Point(u, v) for u, v in points)) for n in NAMES)
     )
@@ -241,7 +237,7 @@ def test_points_that_say_nothing_are_declined(field, points, why) -> None:
         assert why in found.failure
 
 
-def test_repeated_points_change_nothing(views, field) -> None:
+def test_repeated_points_change_nothing(views, field):
     view = views.main(np.random.default_rng(13))
     repeated = FrameAnnotation(
         tuple(Polyline(p.class_name, (*p.points, *p.points)) for p in view.annotation)
@@ -251,7 +247,7 @@ def test_repeated_points_change_nothing(views, field) -> None:
 
 
 @pytest.mark.parametrize("far", [1e3, 1e6, 1e300, np.nan, np.inf])
-def test_a_point_far_away_or_nowhere_does_no_harm(views, field, median_error, far) -> None:
+def test_a_point_far_away_or_nowhere_does_no_harm(views, field, median_error, far):
     view = views.main(np.random.default_rng(14))
     polyline = view.annotation.polylines[0]
     broken = view.annotation.with_polyline(
@@ -265,7 +261,7 @@ def test_a_point_far_away_or_nowhere_does_no_harm(views, field, median_error, fa
 @pytest.mark.parametrize(
     "seed", [*range(4), *(pytest.param(n, marks=pytest.mark.soak) for n in range(4, 12))]
 )
-def test_random_clicks_give_a_camera_or_a_reason(field, seed) -> None:
+def test_random_clicks_give_a_camera_or_a_reason(field, seed):
     """Nothing that is clicked ends in an error, a warning or a number that is none."""
     rng = np.random.default_rng(seed)
     names = [e.name for e in field.elements]
@@ -296,7 +292,7 @@ def test_random_clicks_give_a_camera_or_a_reason(field, seed) -> None:
             assert np.isfinite(found.covariance).all()
 
 
-def test_a_field_of_another_size(median_error, views) -> None:
+def test_a_field_of_another_size(median_error, views):
     """Dimensions come from the field, in the fit as in the metric."""
     from procc_annotator.field.load import load_field
 
@@ -309,7 +305,7 @@ def test_a_field_of_another_size(median_error, views) -> None:
 
 
 @pytest.mark.parametrize("model", ["R", "auto"])
-def test_a_new_mistake_does_not_cost_the_camera(field, views, median_error, model) -> None:
+def test_a_new_mistake_does_not_cost_the_camera(field, views, median_error, model):
     """One wrong label more: the warm fit leaves it out and need not look for a camera anew."""
     rng = np.random.default_rng(16)
     for _ in range(4):
@@ -322,7 +318,7 @@ def test_a_new_mistake_does_not_cost_the_camera(field, views, median_error, mode
         assert median_error(view.camera, warm.camera) < 3
 
 
-def test_unknown_models_are_refused(views, field) -> None:
+def test_unknown_models_are_refused(views, field):
     annotation = views.main(np.random.default_rng(0)).annotation
     with pytest.raises(UsageError, match="did you mean R"):
         fit_camera(annotation, field, model="r")
@@ -335,7 +331,7 @@ def test_unknown_models_are_refused(views, field) -> None:
 
 
 @pytest.mark.parametrize("model", ["R", "auto"])
-def test_a_new_element_far_off_the_start_is_believed_if_all_agree(field, views, model) -> None:
+def test_a_new_element_far_off_the_start_is_believed_if_all_agree(field, views, model):
     """A camera from few elements may be far off elsewhere: what is clicked there is no mistake."""
     clicked = views.main(np.random.default_rng(4)).annotation
     near = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
@@ -362,13 +358,13 @@ def chosen_for(views, field, cameras, rng, noise_px: float = 1.0) -> Counter[str
     return Counter(fit.model for fit in fits)
 
 
-def test_without_distortion_a_pinhole_will_do(views, field) -> None:
+def test_without_distortion_a_pinhole_will_do(views, field):
     rng = np.random.default_rng(30)
     cameras = [views.random(rng, k1=0.0).camera for _ in range(12)]
     assert chosen_for(views, field, cameras, rng)["P"] >= 11
 
 
-def test_distortion_that_shows_is_fitted(views, field) -> None:
+def test_distortion_that_shows_is_fitted(views, field):
     rng = np.random.default_rng(31)
     main = views.main(rng).camera
     bent = [replace(main, radial=(k1, 0, 0, 0, 0, 0)) for k1 in np.linspace(0.2, 0.6, 8)]
@@ -377,7 +373,7 @@ def test_distortion_that_shows_is_fitted(views, field) -> None:
     assert chosen["R"] >= 6
 
 
-def test_pixels_that_are_not_square_are_fitted(views, field) -> None:
+def test_pixels_that_are_not_square_are_fitted(views, field):
     rng = np.random.default_rng(32)
     main = views.main(rng, k1=0.3).camera
     wide = [replace(main, focal_px=(1500 * share, 1500.0)) for share in (0.93, 0.95, 1.05, 1.07)]
@@ -388,7 +384,7 @@ def test_pixels_that_are_not_square_are_fitted(views, field) -> None:
     ("k1", "model", "why"),
     [(0.0, "P", "without lens distortion"), (0.5, "R", "lens distortion"), (0.5, "R+", "aspect")],
 )
-def test_the_reason_is_told(views, field, k1, model, why) -> None:
+def test_the_reason_is_told(views, field, k1, model, why):
     rng = np.random.default_rng(33)
     camera = views.main(rng, k1=k1).camera
     if model == "R+":
@@ -400,7 +396,7 @@ def test_the_reason_is_told(views, field, k1, model, why) -> None:
     assert len(fit.parameters) == {"P": 7, "R": 8, "R+": 11}[model]
 
 
-def test_it_is_the_fit_of_the_model_that_was_chosen(views, field) -> None:
+def test_it_is_the_fit_of_the_model_that_was_chosen(views, field):
     world = np.array([(-45.0, 0.0, 0.0), (-36.0, 20.0, 0.0), (-20.0, -20.0, 0.0)])
     for k1 in (0.0, 0.1, 0.5):
         annotation = views.main(np.random.default_rng(34), k1=k1).annotation
@@ -414,7 +410,7 @@ def test_it_is_the_fit_of_the_model_that_was_chosen(views, field) -> None:
         assert chosen.left_out == asked.left_out
 
 
-def test_shuffled_labels_choose_no_model(views, field) -> None:
+def test_shuffled_labels_choose_no_model(views, field):
     annotation = views.main(np.random.default_rng(38)).annotation
     names = [p.class_name for p in annotation]
     shuffled = FrameAnnotation(

@@ -1,7 +1,5 @@
 """When a camera counts as hardly determined."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -33,21 +31,21 @@ FRAME = load_annotation(Path(__file__).parents[3] / "sample_data" / "00002.json"
         ({"tilt_rad": math.nan}, "tilt ± nan°"),
     ],
 )
-def test_what_is_left_open_is_told(changes, says) -> None:
+def test_what_is_left_open_is_told(changes, says):
     fit = fit_camera(FRAME)
     assert (
         ill_conditioned_reason(replace(fit, deviations=replace(fit.deviations, **changes))) == says
     )
 
 
-def test_the_focal_length_counts_as_a_share() -> None:
+def test_the_focal_length_counts_as_a_share():
     fit = fit_camera(FRAME)
     wide = replace(fit.deviations, focal_px=0.2 * fit.camera.focal_px[0])
     assert ill_conditioned_reason(replace(fit, deviations=wide)) == "focal length ± 20 %"
     assert ill_conditioned_reason(fit_camera(FRAME, model="H")) == ""
 
 
-def test_a_height_of_nothing_is_not_below_the_ground() -> None:
+def test_a_height_of_nothing_is_not_below_the_ground():
     vector = fit_camera(FRAME).vector.copy()
     for z, says in ((0.01, "on the ground"), (-0.01, "on the ground"), (1.0, "1.0 m below")):
         vector[Z] = z
@@ -55,7 +53,7 @@ def test_a_height_of_nothing_is_not_below_the_ground() -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_one_mark_tells_the_ends_of_a_track_apart_and_lanes_alone_do_not(seed) -> None:
+def test_one_mark_tells_the_ends_of_a_track_apart_and_lanes_alone_do_not(seed):
     """A bend with all its lanes, from behind it; the finish line is the only mark in sight."""
     track = Views(load_field("athletics"))
     true = PinholeCamera(
@@ -73,7 +71,7 @@ def test_one_mark_tells_the_ends_of_a_track_apart_and_lanes_alone_do_not(seed) -
     assert "the same from the other end" in ill_conditioned_reason(fit)
 
 
-def test_a_field_that_is_the_same_from_both_ends_has_none() -> None:
+def test_a_field_that_is_the_same_from_both_ends_has_none():
     """Its labels go by where the main camera stands."""
     rink = Views(load_field("ice_hockey_iihf"))
     view = rink.random(np.random.default_rng(1))

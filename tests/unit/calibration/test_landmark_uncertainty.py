@@ -1,7 +1,5 @@
 """Landmarks whose place is not known exactly: what they say of a camera, and how surely."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -52,7 +50,7 @@ def squares(fit) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("model", "warm"), [("P", False), ("auto", False), ("P", True)])
-def test_ellipses_hold_what_the_landmarks_are_off(field, model, warm) -> None:
+def test_ellipses_hold_what_the_landmarks_are_off(field, model, warm):
     rng = np.random.default_rng(0)
     found = []
     for _ in range(30):
@@ -66,7 +64,7 @@ def test_ellipses_hold_what_the_landmarks_are_off(field, model, warm) -> None:
     assert 0.9 <= np.mean(np.array(found) < 5.99) <= 0.99
 
 
-def test_a_place_known_badly_hardly_moves_the_camera(field) -> None:
+def test_a_place_known_badly_hardly_moves_the_camera(field):
     """Five exact landmarks, and one that may be metres off and is."""
     rng = np.random.default_rng(1)
     annotation = clicks(rng, 0.3)
@@ -89,7 +87,7 @@ def test_a_place_known_badly_hardly_moves_the_camera(field) -> None:
     assert far.max_px > 50
 
 
-def test_derivatives_are_those_of_the_softened_residual(field) -> None:
+def test_derivatives_are_those_of_the_softened_residual(field):
     rng = np.random.default_rng(2)
     frame = ImageFrame(SIZE)
     vector = vector_from_camera(CLOSE_UP, frame)
@@ -106,7 +104,7 @@ def test_derivatives_are_those_of_the_softened_residual(field) -> None:
         np.testing.assert_allclose(found.derivatives[0, i], slope, rtol=1e-3, atol=0.05)
 
 
-def test_so_it_is_with_the_position_known(field) -> None:
+def test_so_it_is_with_the_position_known(field):
     """A camera on its tripod: pan, tilt and zoom are told by landmarks."""
     rng = np.random.default_rng(3)
     sd_m = np.full(3, 0.01)

@@ -1,7 +1,5 @@
 """A camera that is nearly right is made right on the paint of its picture, and told how surely."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -28,7 +26,6 @@ from procc_annotator.calibration.line_alignment.refinement import (
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.camera.models import PinholeCamera
-from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Appearance, Field
 from tests.drawn_shots import draw as draw_scene
 from tests.drawn_shots import looking_at, stage_of
@@ -38,7 +35,7 @@ TRUE = camera()
 VECTOR = vector_from_camera(TRUE, FRAME)
 
 
-def test_a_camera_beside_its_paint_is_put_on_it() -> None:
+def test_a_camera_beside_its_paint_is_put_on_it():
     beside = replace(TRUE, pan_rad=TRUE.pan_rad + 0.006, tilt_rad=TRUE.tilt_rad - 0.003)
     assert apart_px(TRUE, beside) > 5
     found = align_with_lines(draw(TRUE), FIELD, beside)
@@ -51,7 +48,7 @@ def test_a_camera_beside_its_paint_is_put_on_it() -> None:
     assert not found.fit.left_out
 
 
-def test_what_is_said_of_its_sureness_is_true() -> None:
+def test_what_is_said_of_its_sureness_is_true():
     offs = []
     for seed in range(6):
         found = align_with_lines(draw(TRUE, noise=6.0, seed=seed), FIELD, TRUE).fit
@@ -62,7 +59,7 @@ def test_what_is_said_of_its_sureness_is_true() -> None:
     assert 0.1 < np.sqrt(np.mean(np.square(offs))) < 2.0
 
 
-def test_a_picture_without_lines_has_no_camera() -> None:
+def test_a_picture_without_lines_has_no_camera():
     found = align_with_lines(draw(TRUE, lines=False), FIELD, TRUE)
     assert found.fit.camera is None or found.coverage < 0.3
     blank = np.full((SIZE[1], SIZE[0], 4), 90, dtype=np.uint8)
@@ -72,13 +69,13 @@ def test_a_picture_without_lines_has_no_camera() -> None:
     assert found.residual_px is None
 
 
-def test_a_camera_that_sees_nothing_of_the_field_expects_nothing() -> None:
+def test_a_camera_that_sees_nothing_of_the_field_expects_nothing():
     away = vector_from_camera(replace(TRUE, pan_rad=TRUE.pan_rad + np.pi), FRAME)
     assert not len(expected_line_points(away, marking_points(FIELD), FRAME, 5.0).rows)
     assert align_with_lines(draw(TRUE), FIELD, away).fit.camera is None
 
 
-def test_paint_darker_than_its_ground_is_found_as_such() -> None:
+def test_paint_darker_than_its_ground_is_found_as_such():
     dark = replace(
         FIELD,
         elements=tuple(
@@ -101,7 +98,7 @@ def test_paint_darker_than_its_ground_is_found_as_such() -> None:
         assert (share > 0.8) == found
 
 
-def test_derivatives_of_marks_are_those_of_where_they_appear() -> None:
+def test_derivatives_of_marks_are_those_of_where_they_appear():
     marks = measure_lines(draw(TRUE), VECTOR, marking_points(FIELD), FRAME, 4.0).marks
     _, by = edge_point_errors(VECTOR[None], marks, FRAME.half_diagonal)
     for parameter, step in enumerate((1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-5)):
@@ -120,7 +117,6 @@ def _with_a_line_elsewhere(name: str, metres: float) -> Field:
     for element in FIELD.elements:
         if element.name == name:
             line = element.geometry
-            assert isinstance(line, Line)
             (ax, ay, az), (bx, by, bz) = line.start, line.end
             moved = replace(line, start=(ax + metres, ay, az), end=(bx + metres, by, bz))
             element = replace(element, geometry=moved)
@@ -129,7 +125,7 @@ def _with_a_line_elsewhere(name: str, metres: float) -> Field:
 
 
 @pytest.mark.parametrize("metres", [0.35, -0.35])
-def test_a_line_that_lies_beside_its_paint_is_named(metres) -> None:
+def test_a_line_that_lies_beside_its_paint_is_named(metres):
     picture, moved = draw(TRUE), _with_a_line_elsewhere("Big rect. right main", metres)
     assert not displaced_elements_in_image(picture, VECTOR, marking_points(FIELD), FRAME)
     said = displaced_elements_in_image(picture, VECTOR, marking_points(moved), FRAME)
@@ -137,14 +133,14 @@ def test_a_line_that_lies_beside_its_paint_is_named(metres) -> None:
     assert said.endswith(" px beside its paint")
 
 
-def test_a_line_that_is_not_painted_lies_beside_nothing() -> None:
+def test_a_line_that_is_not_painted_lies_beside_nothing():
     """Somebody forgot it, or it is worn: that is no other place."""
     assert not displaced_elements_in_image(
         draw(TRUE, lines=False), VECTOR, marking_points(FIELD), FRAME
     )
 
 
-def test_a_narrow_line_between_two_colours_is_found_in_its_middle() -> None:
+def test_a_narrow_line_between_two_colours_is_found_in_its_middle():
     """Its brightest place lies towards the lighter of the two."""
     stage, size = stage_of("basketball_fiba"), (960, 540)
     shown = looking_at((0, 21.5, -6.5), (-6, 0, 0), 640, size, kappa=0.03)
@@ -184,7 +180,7 @@ def put(of: PinholeCamera, row: int, by: tuple[float, float], **more: object) ->
 
 @pytest.mark.parametrize("start", [PLAIN, BENT], ids=["plain", "bent"])
 @pytest.mark.parametrize("by", [(3.0, -2.0), (40.0, 25.0), (-300.0, 180.0)])
-def test_one_place_turns_the_camera(start, by) -> None:
+def test_one_place_turns_the_camera(start, by):
     hand = put(start, 1, by)
     found = fit_control_points(start, (), hand)
     assert control_point_errors(found, [hand])[0] < 0.01
@@ -195,7 +191,7 @@ def test_one_place_turns_the_camera(start, by) -> None:
 
 @pytest.mark.parametrize("start", [PLAIN, BENT], ids=["plain", "bent"])
 @pytest.mark.parametrize("by", [(3.0, -2.0), (30.0, 25.0), (-80.0, 40.0)])
-def test_two_places_zoom_and_roll_it_and_the_first_one_stays(start, by) -> None:
+def test_two_places_zoom_and_roll_it_and_the_first_one_stays(start, by):
     first = put(start, 0, (12.0, -7.0))
     hand = put(start, 1, by)
     found = fit_control_points(fit_control_points(start, (), first), (first,), hand)
@@ -204,7 +200,7 @@ def test_two_places_zoom_and_roll_it_and_the_first_one_stays(start, by) -> None:
     assert found.position_world == start.position_world
 
 
-def test_of_more_places_the_one_in_hand_is_met_and_the_others_share_what_is_left() -> None:
+def test_of_more_places_the_one_in_hand_is_met_and_the_others_share_what_is_left():
     turned_away = rotated_camera(PLAIN, np.array([0.01, -0.004, 0.05, 0.002]))
     rng = np.random.default_rng(3)
     pegs = [ControlPoint(world, shown(turned_away, world)) for world in CORNERS]
@@ -219,7 +215,7 @@ def replace_px(peg: ControlPoint, off: np.ndarray) -> ControlPoint:
     return ControlPoint(peg.world, (peg.px[0] + off[0], peg.px[1] + off[1]), peg.along, peg.sd_px)
 
 
-def test_a_place_on_a_line_stays_on_its_line_only() -> None:
+def test_a_place_on_a_line_stays_on_its_line_only():
     on_line = put(PLAIN, 0, (5.0, 8.0), along=(1.0, 0.0, 0.0))
     hand = put(PLAIN, 1, (40.0, 3.0))
     start = fit_control_points(PLAIN, (), on_line)
@@ -229,20 +225,20 @@ def test_a_place_on_a_line_stays_on_its_line_only() -> None:
     assert abs(x - on_line.px[0]) > 1.0  # along the line it went where it had to
 
 
-def test_what_no_camera_there_can_show_leaves_the_camera_alone() -> None:
+def test_what_no_camera_there_can_show_leaves_the_camera_alone():
     behind = ControlPoint((2.0, 200.0, 0.0), (600.0, 300.0))
     assert fit_control_points(PLAIN, (), behind) is PLAIN
     assert fit_control_points(PLAIN, ()) is PLAIN
     assert control_point_errors(PLAIN, [behind])[0] == np.inf
 
 
-def test_a_camera_that_looks_straight_down_turns_too() -> None:
+def test_a_camera_that_looks_straight_down_turns_too():
     down = replace(PLAIN, pan_rad=0.0, tilt_rad=0.0, roll_rad=0.0, position_world=(0.0, 0.0, -50.0))
     hand = ControlPoint((5.0, 4.0, 0.0), tuple(np.add(shown(down, (5.0, 4.0, 0.0)), (6.0, -4.0))))
     assert control_point_errors(fit_control_points(down, (), hand), [hand])[0] < 0.01
 
 
-def test_zoom_leaves_the_bend_of_the_lens_in_the_picture() -> None:
+def test_zoom_leaves_the_bend_of_the_lens_in_the_picture():
     twice = rotated_camera(BENT, np.array([0.0, 0.0, np.log(2.0), 0.0]))
     rays = np.array([[0.2, 0.1, 1.0], [-0.15, 0.18, 1.0]])
     stand, turn = np.array(BENT.position_world), BENT.rotation_cam_from_world
@@ -254,7 +250,7 @@ def test_zoom_leaves_the_bend_of_the_lens_in_the_picture() -> None:
 PLACES = ((36.0, 20.16, 0.0), (36.0, -20.16, 0.0), (52.5, 9.16, 0.0))
 
 
-def test_one_dragged_place_and_the_paint_give_the_camera() -> None:
+def test_one_dragged_place_and_the_paint_give_the_camera():
     picture = draw(TRUE, noise=4.0)
     place = next(p for p in PLACES if _in_sight(p))
     wrong = rotated_camera(TRUE, np.array([0.02, 0.008, 0.08, 0.0]))
@@ -264,7 +260,6 @@ def test_one_dragged_place_and_the_paint_give_the_camera() -> None:
         picture, FIELD, fit_control_points(wrong, (), hand), [hand]
     )
     assert why_not == ""
-    assert isinstance(found.fit.camera, PinholeCamera)
     assert apart_px(TRUE, found.fit.camera) < 1.0
     assert control_point_errors(found.fit.camera, [hand])[0] < 2.0
 
@@ -274,7 +269,7 @@ def _in_sight(place: tuple[float, float, float]) -> bool:
     return bool(seen) and 0 < x < 959 and 0 < y < 539
 
 
-def test_paint_that_would_take_a_peg_away_has_no_say() -> None:
+def test_paint_that_would_take_a_peg_away_has_no_say():
     place = next(p for p in PLACES if _in_sight(p))
     x, y = shown(TRUE, place)
     hand = ControlPoint(place, (x + 8.0, y), None, 0.3)
@@ -285,7 +280,7 @@ def test_paint_that_would_take_a_peg_away_has_no_say() -> None:
     assert why_not
 
 
-def test_without_paint_it_is_said_why() -> None:
+def test_without_paint_it_is_said_why():
     place = next(p for p in PLACES if _in_sight(p))
     hand = ControlPoint(place, shown(TRUE, place))
     found, why_not = align_with_control_points(draw(TRUE, lines=False), FIELD, TRUE, [hand])

@@ -1,7 +1,5 @@
 """Wide lenses with barrel distortion are fitted, and nothing else is taken for one."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -42,7 +40,7 @@ def swapped(annotation: FrameAnnotation, rng: np.random.Generator) -> FrameAnnot
 
 
 @pytest.mark.parametrize("model", ["R", "R+", "auto"])
-def test_a_wide_lens_is_fitted(model) -> None:
+def test_a_wide_lens_is_fitted(model):
     for k1 in (-0.06, -0.15):
         fit = fit_camera(clicked(wide(k1)), COURT.field, model=model)
         assert fit.camera.radial[0] == pytest.approx(k1, abs=0.02)
@@ -50,12 +48,12 @@ def test_a_wide_lens_is_fitted(model) -> None:
         assert not fit.left_out
 
 
-def test_a_pinhole_has_no_distortion_all_the_same() -> None:
+def test_a_pinhole_has_no_distortion_all_the_same():
     assert fit_camera(clicked(wide()), COURT.field, model="P").camera.radial[0] == 0
 
 
 @pytest.mark.parametrize("model", ["R", "R+", "auto"])
-def test_other_cameras_are_never_taken_for_one(views, field, model) -> None:
+def test_other_cameras_are_never_taken_for_one(views, field, model):
     """Neither without distortion nor with the other kind, be a label wrong or not."""
     rng = np.random.default_rng(5)
     for k1 in (0.0, 0.1):
@@ -65,7 +63,7 @@ def test_other_cameras_are_never_taken_for_one(views, field, model) -> None:
                 assert fit_camera(given, field, model=model).vector[KAPPA] >= 0
 
 
-def test_the_coefficient_is_bounded() -> None:
+def test_the_coefficient_is_bounded():
     """kappa = -0.14, which the picture's corners can just bear."""
     camera = wide(-0.14 * (650 / HALF_DIAGONAL) ** 2)
     fit = fit_camera(clicked(camera), COURT.field)
@@ -74,7 +72,7 @@ def test_the_coefficient_is_bounded() -> None:
 
 
 @pytest.mark.parametrize("model", ["R", "auto"])
-def test_the_next_click_goes_on_from_it(model) -> None:
+def test_the_next_click_goes_on_from_it(model):
     first = fit_camera(clicked(wide()), COURT.field, model=model)
     again = fit_camera(clicked(wide(), 1), COURT.field, model=model, start=first.camera)
     assert again.warm
@@ -82,7 +80,7 @@ def test_the_next_click_goes_on_from_it(model) -> None:
 
 
 @pytest.mark.parametrize("model", ["R", "auto"])
-def test_it_is_given_up_where_the_points_no_longer_demand_it(model) -> None:
+def test_it_is_given_up_where_the_points_no_longer_demand_it(model):
     ordinary = clicked(wide(0.0))
     start = replace(wide(), radial=(-0.03, 0.0, 0.0, 0.0, 0.0, 0.0))
     fit = fit_camera(ordinary, COURT.field, model=model, start=start)
@@ -91,7 +89,7 @@ def test_it_is_given_up_where_the_points_no_longer_demand_it(model) -> None:
     assert COURT.median_error(cold.camera, fit.camera) < 0.05
 
 
-def test_nothing_is_folded_back_into_the_picture() -> None:
+def test_nothing_is_folded_back_into_the_picture():
     """A camera so near that half the court lies far beside its picture."""
     true = replace(wide(-0.18, 700.0), position_world=(2.0, 10.0, -3.0), tilt_rad=np.deg2rad(80))
     fit = fit_camera(clicked(true), COURT.field)
@@ -106,7 +104,7 @@ def test_nothing_is_folded_back_into_the_picture() -> None:
     assert len(shown ^ seen) <= 1
 
 
-def test_uncertainty_is_known_where_it_is_shown_and_nowhere_else() -> None:
+def test_uncertainty_is_known_where_it_is_shown_and_nowhere_else():
     true = replace(wide(-0.18, 700.0), position_world=(2.0, 10.0, -3.0), tilt_rad=np.deg2rad(80))
     rng = np.random.default_rng(4)
     fits = [fit_camera(COURT.clicks(true, rng), COURT.field) for _ in range(25)]

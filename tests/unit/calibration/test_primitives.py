@@ -1,7 +1,5 @@
 """Points on chains, spots and curves in any plane: their residuals, and fits to them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -97,7 +95,7 @@ def residuals(annotation: FrameAnnotation, vector: np.ndarray | None = None) -> 
 
 
 @pytest.mark.parametrize("name", SHAPES)
-def test_distances_are_those_to_the_nearest_place(name) -> None:
+def test_distances_are_those_to_the_nearest_place(name):
     annotation = clicked([name], np.random.default_rng(1), off_px=6.0)
     shown, _ = CAMERA.project(dense(SHAPES[name]))
     given = np.array([(p.u, p.v) for p in annotation.polylines[0].points])
@@ -108,7 +106,7 @@ def test_distances_are_those_to_the_nearest_place(name) -> None:
     np.testing.assert_allclose(residuals(annotation).distances[0], expected, atol=0.15)
 
 
-def test_a_point_off_a_corner_counts_in_full_and_one_off_a_smooth_joint_across_only() -> None:
+def test_a_point_off_a_corner_counts_in_full_and_one_off_a_smooth_joint_across_only():
     corner, _ = CAMERA.project(np.array([[4.0, 4.0, 0.0]]))
     middle, _ = CAMERA.project(np.array([[0.0, 0.0, 0.0]]))
     outwards = (corner - middle)[0] / np.hypot(*(corner - middle)[0])
@@ -124,7 +122,7 @@ def test_a_point_off_a_corner_counts_in_full_and_one_off_a_smooth_joint_across_o
 
 
 @pytest.mark.parametrize("name", SHAPES)
-def test_the_jacobian_is_that_of_the_residual(name) -> None:
+def test_the_jacobian_is_that_of_the_residual(name):
     annotation = clicked([name], np.random.default_rng(2), off_px=2.0)
     vector = vector_from_camera(CAMERA, FRAME)
     found = residuals(annotation, vector)
@@ -137,7 +135,7 @@ def test_the_jacobian_is_that_of_the_residual(name) -> None:
         assert (off < 0.02 * (np.abs(found.derivatives[0, i]).max() + 1e-9)).mean() > 0.9, i
 
 
-def test_an_element_behind_the_camera_costs_a_constant_without_direction() -> None:
+def test_an_element_behind_the_camera_costs_a_constant_without_direction():
     annotation = clicked(list(SHAPES), np.random.default_rng(0), off_px=0.0)
     vector = vector_from_camera(CAMERA, FRAME)
     vector[0] += np.pi
@@ -147,7 +145,7 @@ def test_an_element_behind_the_camera_costs_a_constant_without_direction() -> No
     assert (found.distances > 100).all()
 
 
-def test_a_fit_to_chains_spots_and_curves_finds_the_camera() -> None:
+def test_a_fit_to_chains_spots_and_curves_finds_the_camera():
     annotation = clicked(list(SHAPES), np.random.default_rng(3), off_px=0.0)
     start = PinholeCamera(
         CAMERA.pan_rad + 0.05, CAMERA.tilt_rad - 0.04, 0.0, (3.0, 24.0, -8.0),
@@ -162,7 +160,7 @@ def test_a_fit_to_chains_spots_and_curves_finds_the_camera() -> None:
     assert np.hypot(*(shown - again).T).max() < 1.0
 
 
-def test_one_click_on_a_spot_ties_a_camera_twice() -> None:
+def test_one_click_on_a_spot_ties_a_camera_twice():
     rng = np.random.default_rng(4)
     spot = clicked(["Spot", "Line", "Side"], rng, off_px=0.0, points=2)
     assert fit_camera(spot, FIELD, size=SIZE).camera is not None
@@ -178,7 +176,7 @@ def test_one_click_on_a_spot_ties_a_camera_twice() -> None:
 
 @pytest.mark.parametrize("height", [3.05, 3.06, 3.5, 5.0, 9.0])
 @pytest.mark.parametrize("off_px", [2.0, 20.0])
-def test_distances_to_curves_seen_edge_on_are_true(height, off_px) -> None:
+def test_distances_to_curves_seen_edge_on_are_true(height, off_px):
     """A rim, a ring on the floor and a rounded corner from the height of the rim and above: clicks
     all around, some of them nearer to the other side."""
     rim, corner = Circle((0.0, 0.0, -3.05), 0.4), Arc((4.0, -2.0, 0.0), 8.5, -np.pi / 2, 0.0)

@@ -1,7 +1,5 @@
 """The solver comes to the same optimum as scipy's, and keeps to its bound."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np
@@ -45,7 +43,7 @@ FRAME = ImageFrame((960, 540))
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize(("free", "barrel"), [(7, False), (8, False), (11, False), (8, True)])
-def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
+def test_squared_loss_as_scipy(views, field, seed, free, barrel):
     k1 = -0.4 if barrel else None
     view = views.random(np.random.default_rng(seed), at_least=6, side=0, k1=k1)
     seen = build_observations(view.annotation, field, FRAME)
@@ -80,7 +78,7 @@ def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
     assert np.median(np.abs(there - here)) < 0.05
 
 
-def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
+def test_a_parameter_on_its_bound_lets_the_others_go_on():
     """Minimum of (x - 3)^2 + (y + 2)^2 + x y / 2 with y >= 0 lies at (3, 0)."""
 
     class FoundCamera:
@@ -102,7 +100,7 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
 
 
 @pytest.mark.parametrize("kind", ["cauchy", "geman_mcclure", "huber", "squared"])
-def test_weights_are_the_slope_of_the_cost(kind) -> None:
+def test_weights_are_the_slope_of_the_cost(kind):
     loss = RobustLoss(kind, 3.0)
     distances = np.linspace(0.1, 40, 60)
     step = 1e-6
@@ -113,7 +111,7 @@ def test_weights_are_the_slope_of_the_cost(kind) -> None:
     assert loss.cost_and_weight(np.zeros(1))[0] == 0
 
 
-def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
+def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound():
     """Minimum of (x + 1)^2, from either side of 0."""
 
     class FoundCamera:
@@ -131,7 +129,7 @@ def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
     np.testing.assert_allclose(found.vectors, [[0.0], [0.0], [MIN_KAPPA]], atol=1e-12)
 
 
-def test_the_radial_coefficient_of_a_search_never_falls_below_zero(views, field) -> None:
+def test_the_radial_coefficient_of_a_search_never_falls_below_zero(views, field):
     rng = np.random.default_rng(3)
     for _ in range(4):
         view = views.random(rng, k1=-0.05, at_least=6)
@@ -150,7 +148,7 @@ STEPS = np.array([1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6, 1e-4, 1e
 @pytest.mark.parametrize(
     ("seed", "kappa"), [*((n, None) for n in range(6)), (0, -0.05), (1, -0.12)]
 )
-def test_of_pinhole_residuals(views, field, seed, kappa) -> None:
+def test_of_pinhole_residuals(views, field, seed, kappa):
     rng = np.random.default_rng(seed)
     view = views.random(rng, noise_px=1.0)
     seen = build_observations(view.annotation, field, FRAME)
@@ -172,7 +170,7 @@ def test_of_pinhole_residuals(views, field, seed, kappa) -> None:
 
 
 @pytest.mark.parametrize("k1", [0.1, -0.4])
-def test_of_exact_points_is_exact(views, field, k1) -> None:
+def test_of_exact_points_is_exact(views, field, k1):
     """Ends are left out: there the residual changes its nature."""
     view = views.main(np.random.default_rng(0), noise_px=0.0, k1=k1)
     inner = FrameAnnotation(tuple(Polyline(p.class_name, p.points[1:-1]) for p in view.annotation))
@@ -192,7 +190,7 @@ def test_of_exact_points_is_exact(views, field, k1) -> None:
         np.testing.assert_allclose(numeric, found.derivatives[0, i], atol=2e-3 * scale + 1e-6)
 
 
-def test_of_homography_residuals(views, field) -> None:
+def test_of_homography_residuals(views, field):
     rng = np.random.default_rng(4)
     view = views.main(rng, k1=0.0)
     seen = build_observations(view.annotation, field, FRAME, ground_only=True)
@@ -211,7 +209,7 @@ def test_of_homography_residuals(views, field) -> None:
 
 
 @pytest.mark.parametrize("k1", [0.0, 0.3, -0.1, "both"])
-def test_projection_is_that_of_the_camera(views, k1) -> None:
+def test_projection_is_that_of_the_camera(views, k1):
     rng = np.random.default_rng(2)
     k1s = [0.2, -0.05, 0.0, -0.1] if k1 == "both" else [k1] * 4
     vectors = np.array([to_vector(views.random(rng, k1=k).camera, FRAME) for k in k1s])
@@ -236,7 +234,7 @@ def test_projection_is_that_of_the_camera(views, k1) -> None:
         np.testing.assert_allclose(back, ideal[:2] / ideal[2], atol=1e-6)
 
 
-def test_what_barrel_distortion_does_not_show_is_taken_for_its_edge() -> None:
+def test_what_barrel_distortion_does_not_show_is_taken_for_its_edge():
     """Shown are places up to 2 / 3 of the fold's distance from the principal point."""
     vector = np.zeros((1, 11))
     vector[:, 6:8] = np.log(700.0), -0.12
@@ -253,7 +251,7 @@ def test_what_barrel_distortion_does_not_show_is_taken_for_its_edge() -> None:
     assert straight.is_beyond_fold(world) is None
 
 
-def test_vectors_and_cameras_are_inverse(views) -> None:
+def test_vectors_and_cameras_are_inverse(views):
     for size, kappa in (((960, 540), 0.03), ((1920, 1080), -0.1), ((1280, 720), 0.03)):
         frame = ImageFrame(size)
         vector = np.array([0.3, 1.4, 0.01, 3.0, -60.0, -12.0, 7.5, kappa, 0.01, 4.0, -6.0])
@@ -264,7 +262,7 @@ def test_vectors_and_cameras_are_inverse(views) -> None:
         )
 
 
-def test_elements_behind_the_camera_cost_a_constant(views, field) -> None:
+def test_elements_behind_the_camera_cost_a_constant(views, field):
     view = views.main(np.random.default_rng(0))
     seen = build_observations(view.annotation, field, FRAME)
     vector = to_vector(view.camera, FRAME)
@@ -286,7 +284,7 @@ def only(annotation: FrameAnnotation, *names: str) -> FrameAnnotation:
     return FrameAnnotation(tuple(p for p in annotation if p.class_name in names))
 
 
-def test_the_picture_shows_the_place_where_it_is(views, field) -> None:
+def test_the_picture_shows_the_place_where_it_is(views, field):
     view = views.main(np.random.default_rng(50), noise_px=0.0, k1=0.0)
     place, shown = nearest_control_point(build_observations(view.annotation, field, FRAME))
     expected, seen = view.camera.project(place[None])
@@ -301,7 +299,7 @@ def test_the_picture_shows_the_place_where_it_is(views, field) -> None:
             assert np.hypot(*shown) <= np.hypot(*found[1]) + 1e-9
 
 
-def test_lines_are_prolonged(views, field) -> None:
+def test_lines_are_prolonged(views, field):
     """A corner outside the picture is as good as one inside."""
     lines = (
         Polyline("Side line top", (Point(0.2, 0.5), Point(0.5, 0.5))),
@@ -312,7 +310,7 @@ def test_lines_are_prolonged(views, field) -> None:
     np.testing.assert_allclose(shown, ((0.15 - 0.5) * 959, 0.0), atol=1e-6)
 
 
-def test_some_lines_never_meet(field) -> None:
+def test_some_lines_never_meet(field):
     up, down = (Point(0.2, 0.2), Point(0.3, 0.9)), (Point(0.8, 0.2), Point(0.7, 0.9))
     level = (Point(0.2, 0.5), Point(0.7, 0.5))
     for names, courses in (

@@ -1,7 +1,5 @@
 """Places in space from clicks: against scipy, against chance, with a reason where there is none."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 
@@ -81,14 +79,14 @@ def _position(found: Triangulation) -> FloatArray:
 
 
 @pytest.mark.parametrize("count", [2, 3, 4])
-def test_exact_clicks_give_the_place(count) -> None:
+def test_exact_clicks_give_the_place(count):
     found = triangulate(_clicks(*CAMERAS[:count]))
     assert np.abs(_position(found) - SEAT).max() < 1e-6
     assert found.left_out == ()
     assert max(px for _, px in found.residuals_px) < 1e-5
 
 
-def test_any_model_will_do() -> None:
+def test_any_model_will_do():
     fisheye = FisheyeCamera(
         CAMERAS[2].pan_rad,
         CAMERAS[2].tilt_rad,
@@ -103,7 +101,7 @@ def test_any_model_will_do() -> None:
         assert np.abs(_position(found) - SEAT).max() < 1e-4
 
 
-def test_a_sight_line_is_the_same_whether_the_model_is_known_or_searched() -> None:
+def test_a_sight_line_is_the_same_whether_the_model_is_known_or_searched():
     known = viewing_ray(CAMERAS[1], np.array([200.0, 400.0]))
     searched = viewing_ray(Plain(CAMERAS[1]), np.array([200.0, 400.0]))
     assert abs(abs(float(known.direction @ searched.direction)) - 1) < 1e-9
@@ -111,7 +109,7 @@ def test_a_sight_line_is_the_same_whether_the_model_is_known_or_searched() -> No
     assert np.linalg.norm(beside) < 1e-5
 
 
-def test_the_derivatives_agree_with_a_known_camera() -> None:
+def test_the_derivatives_agree_with_a_known_camera():
     plain = replace(CAMERAS[0], radial=(0.0,) * 6, tangential=(0.0, 0.0))
     _, slopes = projection_jacobian(plain, SEAT[None])
     x, y, z = plain.rotation_cam_from_world @ (SEAT - plain.position_world)
@@ -120,7 +118,7 @@ def test_the_derivatives_agree_with_a_known_camera() -> None:
     assert np.abs(slopes[0] - exact @ plain.rotation_cam_from_world).max() < 1e-6
 
 
-def test_the_least_squares_are_those_of_scipy() -> None:
+def test_the_least_squares_are_those_of_scipy():
     rng = np.random.default_rng(5)
     views = _clicks(*CAMERAS, off=rng.normal(0, 1.0, (4, 2)))
     views[1] = replace(views[1], click_px=2.5)
@@ -149,7 +147,7 @@ def _mean_mahalanobis(errors: FloatArray, covariances: FloatArray) -> float:
 
 
 @pytest.mark.parametrize("count", [2, 3])
-def test_the_covariance_is_what_noise_does(count) -> None:
+def test_the_covariance_is_what_noise_does(count):
     rng = np.random.default_rng(11)
     errors, covariances = [], []
     for _ in range(120):
@@ -161,7 +159,7 @@ def test_the_covariance_is_what_noise_does(count) -> None:
     assert 2.4 < _mean_mahalanobis(np.array(errors), np.array(covariances)) < 3.6
 
 
-def test_the_covariance_holds_what_the_cameras_do_not_know() -> None:
+def test_the_covariance_holds_what_the_cameras_do_not_know():
     rng = np.random.default_rng(12)
     sd_m = 0.6
 
@@ -186,7 +184,7 @@ def test_the_covariance_holds_what_the_cameras_do_not_know() -> None:
     assert 2.4 < _mean_mahalanobis(np.array(errors), np.array(covariances)) < 3.6
 
 
-def test_noise_larger_than_usual_is_seen_in_the_residuals() -> None:
+def test_noise_larger_than_usual_is_seen_in_the_residuals():
     rng = np.random.default_rng(3)
     off = rng.normal(0, 2.5, (4, 2))
     told = triangulate(_clicks(*CAMERAS), estimate_noise=False)
@@ -195,7 +193,7 @@ def test_noise_larger_than_usual_is_seen_in_the_residuals() -> None:
 
 
 @pytest.mark.parametrize("bad", [0, 1, 2, 3])
-def test_one_view_that_contradicts_the_others_is_left_out_and_named(bad) -> None:
+def test_one_view_that_contradicts_the_others_is_left_out_and_named(bad):
     off = np.zeros((4, 2))
     off[bad] = (70.0, -45.0)
     found = triangulate(_clicks(*CAMERAS, off=off))
@@ -204,27 +202,27 @@ def test_one_view_that_contradicts_the_others_is_left_out_and_named(bad) -> None
     assert dict(found.residuals_px)[f"view{bad}"] > 50
 
 
-def test_of_three_views_one_may_be_wrong() -> None:
+def test_of_three_views_one_may_be_wrong():
     found = triangulate(_clicks(*CAMERAS[:3], off=np.array([[0.0, 0.0], [0.0, 60.0], [0.0, 0.0]])))
     assert found.left_out == ("view1",)
     assert np.abs(_position(found) - SEAT).max() < 1e-5
 
 
-def test_two_views_that_disagree_are_refused() -> None:
+def test_two_views_that_disagree_are_refused():
     found = triangulate(_clicks(*CAMERAS[:2], off=np.array([[0.0, 0.0], [0.0, 60.0]])))
     assert found.position is None
     assert found.failure is not None
     assert "do not agree" in found.failure
 
 
-def test_lines_of_sight_from_one_place_are_refused() -> None:
+def test_lines_of_sight_from_one_place_are_refused():
     zoomed = replace(CAMERAS[0], focal_px=(2800.0, 2800.0), pan_rad=CAMERAS[0].pan_rad + 0.02)
     found = triangulate(_clicks(CAMERAS[0], zoomed))
     assert found.failure is not None
     assert "nearly the same direction" in found.failure
 
 
-def test_lines_of_sight_that_meet_behind_a_camera_are_refused() -> None:
+def test_lines_of_sight_that_meet_behind_a_camera_are_refused():
     # Two cameras side by side that squint outwards: the lines meet behind both.
     left = _looking_at((-10.0, 70.0, -18.0), np.array([-40.0, 0.0, -5.0]))
     right = _looking_at((10.0, 70.0, -18.0), np.array([40.0, 0.0, -5.0]))
@@ -235,7 +233,7 @@ def test_lines_of_sight_that_meet_behind_a_camera_are_refused() -> None:
     assert "meet behind the camera of left" in found.failure
 
 
-def test_what_no_view_can_tell_is_said() -> None:
+def test_what_no_view_can_tell_is_said():
     ground = HomographyCamera(np.array([[8.0, 0.0, 480.0], [0.0, 8.0, 270.0], [0.0, 0.0, 1.0]]))
     middle = np.array([480.0, 270.0])
     folds = FisheyeCamera(0.0, 1.2, 0.0, (0.0, 70.0, -18.0), (500.0, 500.0), (480.0, 270.0))
@@ -255,11 +253,11 @@ def test_what_no_view_can_tell_is_said() -> None:
         assert words in failure
 
 
-def test_a_click_is_as_good_as_its_picture_is_wide() -> None:
+def test_a_click_is_as_good_as_its_picture_is_wide():
     assert default_click_sd_px(1920) == pytest.approx(2 * default_click_sd_px(960))
 
 
-def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
+def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear():
     rng = np.random.default_rng(8)
     found = triangulate(_clicks(*CAMERAS[:2]), estimate_noise=False)
     assert found.position is not None
@@ -277,12 +275,12 @@ def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
     assert ellipse.semi_axes_px[0] >= ellipse.semi_axes_px[1]
 
 
-def test_a_place_behind_the_camera_has_no_ellipse() -> None:
+def test_a_place_behind_the_camera_has_no_ellipse():
     away = np.array(CAMERAS[0].position_world) * 2 - SEAT
     assert project_error_ellipses(CAMERAS[0], [tuple(away.tolist())], [None])[0] is None
 
 
-def test_a_known_place_is_compared_to_its_clicks() -> None:
+def test_a_known_place_is_compared_to_its_clicks():
     clicks = _clicks(*CAMERAS[:3])
     near = compare_with_survey(clicks, tuple(SEAT + np.array([0.02, 0.0, 0.0])))
     assert near.astray == ()
@@ -298,7 +296,7 @@ def test_a_known_place_is_compared_to_its_clicks() -> None:
     assert compare_with_survey(noisy, tuple(off), estimate_noise=False).astray == ()
 
 
-def test_a_known_place_behind_a_camera_is_told() -> None:
+def test_a_known_place_behind_a_camera_is_told():
     found = compare_with_survey(_clicks(*CAMERAS[:2]), (0.0, 90.0, -18.0))
     assert "view0" in found.astray
     assert "view0" not in dict(found.residuals_px)
@@ -349,7 +347,7 @@ def run(
         pytest.param(3.0, 3, marks=pytest.mark.soak),
     ],
 )
-def test_covariances_hold_for_clicks_as_good_as_usual_and_worse(noise_px, views) -> None:
+def test_covariances_hold_for_clicks_as_good_as_usual_and_worse(noise_px, views):
     rng = np.random.default_rng(6)
     squares = []
     for _ in range(3):
@@ -363,12 +361,12 @@ def test_covariances_hold_for_clicks_as_good_as_usual_and_worse(noise_px, views)
     assert 0.87 <= np.mean(np.array(squares) < 7.815) <= 0.99
 
 
-def test_a_single_place_says_little_of_the_noise() -> None:
+def test_a_single_place_says_little_of_the_noise():
     _, (one,) = run(np.random.default_rng(5), 3.0, 2, 1)
     assert one.noise < 1.5
 
 
-def test_one_bad_click_does_not_make_all_others_bad() -> None:
+def test_one_bad_click_does_not_make_all_others_bad():
     rng = np.random.default_rng(6)
     cameras = [camera(x) for x in (-40.0, 0.0, 40.0)]
     found = []
@@ -384,7 +382,7 @@ def test_one_bad_click_does_not_make_all_others_bad() -> None:
     assert together(found) < 1.6
 
 
-def test_good_clicks_do_not_make_cameras_better() -> None:
+def test_good_clicks_do_not_make_cameras_better():
     """Of views that are themselves uncertain the clicks' share alone becomes smaller."""
     place = STAND[None]
     views = [

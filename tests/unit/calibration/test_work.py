@@ -1,7 +1,5 @@
 """A fit never takes long: its work is bounded, whatever was clicked."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import replace
 
@@ -87,7 +85,7 @@ def scattered(annotation: FrameAnnotation, rng: np.random.Generator) -> FrameAnn
 
 
 @pytest.mark.parametrize("model", ["R+", "auto"])
-def test_the_work_is_bounded_whatever_the_labels_say(views, field, work, model) -> None:
+def test_the_work_is_bounded_whatever_the_labels_say(views, field, work, model):
     rng = np.random.default_rng(40)
     most = COLD + CUT_OUT + BARREL + (CHOICE + STRONG if model == "auto" else 0)
     for _ in range(3):
@@ -97,7 +95,7 @@ def test_the_work_is_bounded_whatever_the_labels_say(views, field, work, model) 
 
 
 @pytest.mark.parametrize("model", ["R", "auto"])
-def test_so_is_that_of_a_start_that_misleads(views, field, work, model) -> None:
+def test_so_is_that_of_a_start_that_misleads(views, field, work, model):
     rng = np.random.default_rng(41)
     most = MISLED + BARREL + (CUT_OUT + CHOICE_MISLED if model == "auto" else 0)
     counts: list[int] = []
@@ -108,7 +106,7 @@ def test_so_is_that_of_a_start_that_misleads(views, field, work, model) -> None:
     assert 0 < max(counts) <= most
 
 
-def test_a_warm_fit_takes_a_few_steps(views, field, work) -> None:
+def test_a_warm_fit_takes_a_few_steps(views, field, work):
     rng = np.random.default_rng(42)
     counts = {"R": [], "auto": []}
     for _ in range(4):
@@ -121,7 +119,7 @@ def test_a_warm_fit_takes_a_few_steps(views, field, work) -> None:
     assert np.median(counts["auto"]) <= 18
 
 
-def test_thousands_of_points_cost_no_more_than_many(views, field, work, median_error) -> None:
+def test_thousands_of_points_cost_no_more_than_many(views, field, work, median_error):
     """Masks and regularised lines may come with a point a pixel."""
     view = views.main(np.random.default_rng(43), noise_px=0.3)
 
@@ -175,7 +173,7 @@ def swapped(annotation: FrameAnnotation) -> FrameAnnotation:
 
 
 @pytest.mark.parametrize("model", ["P", "R", "R+", "auto", "H", "F"])
-def test_the_same_as_alone(frames, model) -> None:
+def test_the_same_as_alone(frames, model):
     together = fit_cameras(frames, model=model)
     assert len(together) == len(frames)
     assert sum(fit.camera is not None for fit in together) >= 6
@@ -194,18 +192,18 @@ def test_the_same_as_alone(frames, model) -> None:
         assert fit.mean_px == pytest.approx(alone.mean_px, rel=1e-6)
 
 
-def test_who_is_beside_a_frame_does_not_matter(frames) -> None:
+def test_who_is_beside_a_frame_does_not_matter(frames):
     one = fit_cameras([frames[0], frames[5]], model="R")
     other = fit_cameras([frames[5], *frames[6:], frames[0]], model="R")
     np.testing.assert_allclose(one[0].vector, other[-1].vector, rtol=1e-6, atol=1e-9)
     np.testing.assert_allclose(one[1].vector, other[0].vector, rtol=1e-6, atol=1e-9)
 
 
-def test_no_frames_get_no_cameras() -> None:
+def test_no_frames_get_no_cameras():
     assert fit_cameras([]) == []
 
 
-def test_residuals_of_several_frames_are_computed_at_once(frames, monkeypatch) -> None:
+def test_residuals_of_several_frames_are_computed_at_once(frames, monkeypatch):
     """As often as the slowest frame needs them, not as often as all of them do."""
     calls: Counter[str] = Counter()
     computed = residuals.find_closest_points
@@ -233,7 +231,7 @@ FRAME_SIZE = (960, 540)
 NAME = "Big rect. left main"
 
 
-def test_repeated_points_and_points_nowhere_do_not_shift_the_others(views, field) -> None:
+def test_repeated_points_and_points_nowhere_do_not_shift_the_others(views, field):
     clean = views.main(np.random.default_rng(7), noise_px=0.3).annotation
     points = clean.get(NAME).points
     x, y = points_px(clean.get(NAME), FRAME_SIZE)[-1]
@@ -247,7 +245,7 @@ def test_repeated_points_and_points_nowhere_do_not_shift_the_others(views, field
     assert not {1, 2} & distances.keys()
 
 
-def test_of_very_many_points_some_have_a_distance(views, field) -> None:
+def test_of_very_many_points_some_have_a_distance(views, field):
     clean = views.main(np.random.default_rng(8), noise_px=0.3).annotation
     first, *_, last = points_px(clean.get(NAME), FRAME_SIZE)
     way = np.linspace(first, last, 3 * MAX_POINTS)
@@ -267,7 +265,7 @@ def test_of_very_many_points_some_have_a_distance(views, field) -> None:
 @pytest.mark.parametrize("height", [13.0, 17.0])
 def test_a_place_without_a_range_is_believed_but_not_to_the_metre(
     views, field, median_error, model, height
-) -> None:
+):
     """The camera is at 32 m and 14 m: the file may be right or somewhat off."""
     view = views.main(np.random.default_rng(5), noise_px=0.5, k1=0.0)
     exact = replace(field, cameras=CameraPlacement((30.0, 30.0, 30.0), (height, height, height)))
@@ -277,7 +275,7 @@ def test_a_place_without_a_range_is_believed_but_not_to_the_metre(
     assert abs(fit.camera.position_world[2] - view.camera.position_world[2]) < 1.5
 
 
-def test_cameras_that_all_stand_at_one_distance_and_height_are_found(field) -> None:
+def test_cameras_that_all_stand_at_one_distance_and_height_are_found(field):
     """As a field file may say; the study of every sport draws its cameras from there."""
     exact = Views(replace(field, cameras=CameraPlacement((30.0, 30.0, 30.0), (12.0, 12.0, 12.0))))
     view = exact.random(np.random.default_rng(2))
@@ -318,7 +316,7 @@ def distance_px(annotation: FrameAnnotation, camera: Camera, field: Field) -> fl
     return float(np.median(score(measure(annotation, camera, setup), 5).labelling.all_distances))
 
 
-def test_a_fit_to_the_middle_of_paint_is_the_true_camera(sample_data) -> None:
+def test_a_fit_to_the_middle_of_paint_is_the_true_camera(sample_data):
     folder = sample_data / "volleyball"
     cameras = CameraSet.open(folder / "cameras" / "true")
     true = cameras.camera(DRAWN, EVALUATED).camera

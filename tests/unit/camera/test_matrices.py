@@ -1,7 +1,5 @@
 """Cameras from K, R, t and OpenCV's distortion vectors."""
 
-from __future__ import annotations
-
 import math
 
 import cv2
@@ -32,7 +30,7 @@ T = np.array([1.0, -2.0, 60.0])
     st.one_of(st.floats(0, math.pi), st.sampled_from([0.0, 1e-13, 1e-9, 1e-5, math.pi])),
     st.floats(-math.pi, math.pi),
 )
-def test_the_angles_are_those_of_the_rotation(pan, tilt, roll) -> None:
+def test_the_angles_are_those_of_the_rotation(pan, tilt, roll):
     rotation = rotation_cam_from_world(pan, tilt, roll)
     found = angles_from_rotation(rotation)
     np.testing.assert_allclose(rotation_cam_from_world(*found), rotation, atol=3e-12)
@@ -40,7 +38,7 @@ def test_the_angles_are_those_of_the_rotation(pan, tilt, roll) -> None:
 
 
 @given(st.integers(0, 10_000), st.sampled_from([0, 4, 5, 8, 12, 14]))
-def test_a_camera_of_matrices_projects_as_opencv_does(seed, count) -> None:
+def test_a_camera_of_matrices_projects_as_opencv_does(seed, count):
     random = np.random.default_rng(seed)
     turn = random.uniform(-2, 2, 3)
     rotation = np.asarray(cv2.Rodrigues(turn)[0], dtype=np.float64)
@@ -64,7 +62,7 @@ def test_a_camera_of_matrices_projects_as_opencv_does(seed, count) -> None:
     np.testing.assert_allclose(again.project(points)[0], px, atol=1e-8)
 
 
-def test_a_rounded_rotation_becomes_the_nearest_one_and_larger_flaws_are_refused() -> None:
+def test_a_rounded_rotation_becomes_the_nearest_one_and_larger_flaws_are_refused():
     fine = pose_from_rt(R.round(6), T)
     assert not fine.notices
     rough = pose_from_rt(R.round(4), T)
@@ -85,7 +83,7 @@ def test_a_rounded_rotation_becomes_the_nearest_one_and_larger_flaws_are_refused
         pose_from_rt(R, np.array([1.0, np.inf, 0]))
 
 
-def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does() -> None:
+def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does():
     for skew, moves in ((0.0, False), (0.05, False), (0.06, True)):
         skewed = K.copy()
         skewed[0, 1] = skew  # the lowest row of 540 is 279 px from 260: 279 / 1400 * 0.05 = 0.00996
@@ -108,12 +106,12 @@ def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does() -
         np.array([[1500.0, 0, 470], [5.0, 1400, 260], [0, 0, 1]]),
     ],
 )
-def test_what_is_no_calibration_matrix_is_refused(k) -> None:
+def test_what_is_no_calibration_matrix_is_refused(k):
     with pytest.raises(ValueError, match="K"):
         intrinsics_from_matrix(k)
 
 
-def test_distortions_nobody_here_models_are_refused() -> None:
+def test_distortions_nobody_here_models_are_refused():
     inside, pose = intrinsics_from_matrix(K), pose_from_rt(R, T)
     with pytest.raises(ValueError, match="6 entries, expected 4, 5, 8, 12 or 14"):
         pinhole_from_parts(inside, pose, [0.0] * 6)

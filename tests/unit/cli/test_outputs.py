@@ -1,7 +1,5 @@
 """Where commands may write: checks that they share."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -21,7 +19,7 @@ def annotations(tmp_path) -> Path:
     return folder
 
 
-def test_cameras_go_to_a_folder_apart_from_what_is_read(annotations, tmp_path) -> None:
+def test_cameras_go_to_a_folder_apart_from_what_is_read(annotations, tmp_path):
     pictures, file = tmp_path / "pictures", tmp_path / "file"
     pictures.mkdir()
     file.write_text("")
@@ -37,7 +35,7 @@ def test_cameras_go_to_a_folder_apart_from_what_is_read(annotations, tmp_path) -
             check_camera_folder(out, inputs)
 
 
-def test_no_file_replaces_an_input_under_whatever_name(annotations, tmp_path) -> None:
+def test_no_file_replaces_an_input_under_whatever_name(annotations, tmp_path):
     other, linked = tmp_path / "other.json", tmp_path / "linked.csv"
     linked.hardlink_to(annotations / "1.json")
     with open_source(annotations) as source:

@@ -1,7 +1,5 @@
 """Which field a dataset shows: its own file, what it keeps, the default; across several sets."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -49,14 +47,14 @@ def keep(folder: Path, *, field: str | Path = "soccer", **dimensions: float) -> 
     assert database.close()
 
 
-def test_a_dataset_that_says_nothing_shows_the_default_field(tmp_path) -> None:
+def test_a_dataset_that_says_nothing_shows_the_default_field(tmp_path):
     found = field_of_dataset(tmp_path)
     assert (found.field, found.chosen, found.notices) == (load_field(None), False, ())
     assert not list(tmp_path.iterdir())  # asking leaves nothing behind
     assert not field_of_dataset(tmp_path / "nowhere.zip").chosen
 
 
-def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path) -> None:
+def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path):
     keep(tmp_path, length=101.3)
     folder = tmp_path / "annotations"
     folder.mkdir()
@@ -67,7 +65,7 @@ def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path) -> None:
         assert found.field.described == "soccer 101.3 x 68 m"
 
 
-def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path) -> None:
+def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path):
     video, frames = tmp_path / "match.mp4", tmp_path / "match_frames"
     frames.mkdir()
     video.write_bytes(b"")
@@ -81,7 +79,7 @@ def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path) -> None:
     assert field_of_dataset(video).field.name == "soccer"
 
 
-def test_a_file_inside_the_dataset_moves_with_it(tmp_path) -> None:
+def test_a_file_inside_the_dataset_moves_with_it(tmp_path):
     before = tmp_path / "before"
     (before / "fields").mkdir(parents=True)
     (before / "fields" / "yard.toml").write_text(OTHER)
@@ -92,7 +90,7 @@ def test_a_file_inside_the_dataset_moves_with_it(tmp_path) -> None:
     assert found.source == moved / "fields" / "yard.toml"
 
 
-def test_the_file_in_the_dataset_decides(tmp_path) -> None:
+def test_the_file_in_the_dataset_decides(tmp_path):
     keep(tmp_path)
     (tmp_path / FIELD_FILE).write_text(OTHER)
     assert field_of_dataset(tmp_path).field.name == "yard"
@@ -101,7 +99,7 @@ def test_the_file_in_the_dataset_decides(tmp_path) -> None:
         field_of_dataset(tmp_path)
 
 
-def test_a_field_that_is_gone_is_told(tmp_path) -> None:
+def test_a_field_that_is_gone_is_told(tmp_path):
     own = tmp_path / "yard.toml"
     own.write_text(OTHER)
     keep(tmp_path, field=own)
@@ -115,13 +113,13 @@ def test_a_field_that_is_gone_is_told(tmp_path) -> None:
         field_of_dataset(tmp_path)
 
 
-def test_dimensions_of_another_field_are_left(tmp_path) -> None:
+def test_dimensions_of_another_field_are_left(tmp_path):
     keep(tmp_path, length=101.3)
     (tmp_path / FIELD_FILE).write_text(OTHER)
     assert field_of_dataset(tmp_path).field.is_nominal
 
 
-def test_a_dataset_remembers_where_its_lines_are(tmp_path) -> None:
+def test_a_dataset_remembers_where_its_lines_are(tmp_path):
     database = WorkspaceDatabase.open(tmp_path, "one")
     store_field(database, tmp_path, with_lines(load_field("soccer", length=101.3), "middle"))
     assert database.close()
@@ -145,7 +143,7 @@ def test_a_dataset_remembers_where_its_lines_are(tmp_path) -> None:
     assert "cannot be read" in found.notices[0]
 
 
-def test_a_workspace_that_cannot_be_read_is_told(tmp_path) -> None:
+def test_a_workspace_that_cannot_be_read_is_told(tmp_path):
     keep(tmp_path)
     kept = field_of_dataset(tmp_path)
     (tmp_path / ".procc" / "workspace.db").write_bytes(b"no database at all" * 100)
@@ -158,7 +156,7 @@ def test_a_workspace_that_cannot_be_read_is_told(tmp_path) -> None:
     assert "workspace cannot be read" in found.notices[0]
 
 
-def test_several_datasets_show_one_field(tmp_path) -> None:
+def test_several_datasets_show_one_field(tmp_path):
     one, two, three = (tmp_path / name for name in "abc")
     for folder in (one, two, three):
         folder.mkdir()
@@ -169,7 +167,7 @@ def test_several_datasets_show_one_field(tmp_path) -> None:
         field_of_datasets([one, three])
 
 
-def test_a_copy_of_a_shipped_description_is_a_file_of_its_own(tmp_path) -> None:
+def test_a_copy_of_a_shipped_description_is_a_file_of_its_own(tmp_path):
     copy = tmp_path / "soccer.toml"
     copy.write_text(builtin_field_file("soccer").read_text(encoding="utf-8"), encoding="utf-8")
     keep(tmp_path, field=copy)
@@ -181,7 +179,7 @@ def test_a_copy_of_a_shipped_description_is_a_file_of_its_own(tmp_path) -> None:
 # What a workspace keeps of its field: read again, forgiven when damaged, left when of another.
 
 
-def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path) -> None:
+def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path):
     field = load_field("soccer")
     first = WorkspaceDatabase.open(tmp_path, "one")
     store_dimensions(first, with_dimensions(field, {"length": 101.3}))
@@ -204,13 +202,13 @@ def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path) -> None
         (json.dumps({"field": "hockey", "dimensions": {"length": 60}}), ""),
     ],
 )
-def test_what_cannot_be_used_is_told_and_left(text, said) -> None:
+def test_what_cannot_be_used_is_told_and_left(text, said):
     kept = field_settings({DIMENSIONS_SETTING: text}, load_field("soccer"))
     assert not kept.dimensions
     assert [said in problem for problem in kept.problems] == ([True] if said else [])
 
 
-def test_a_field_says_what_is_not_nominal() -> None:
+def test_a_field_says_what_is_not_nominal():
     field = load_field("soccer")
     assert (field.described, field.is_nominal) == ("soccer", True)
     sized = with_dimensions(field, {"length": 101.3, "width": 66.2})
@@ -221,7 +219,7 @@ def test_a_field_says_what_is_not_nominal() -> None:
         with_dimensions(field, {"length": 200.0})
 
 
-def test_frames_that_cannot_be_read_take_no_part() -> None:
+def test_frames_that_cannot_be_read_take_no_part():
     def unreadable() -> FrameAnnotation:
         raise InputError("1.json", "is damaged")
 
@@ -248,7 +246,7 @@ def match(tmp_path) -> Path:
     return folder
 
 
-def test_pictures_and_annotations_lead_to_their_folder(match) -> None:
+def test_pictures_and_annotations_lead_to_their_folder(match):
     for place in ("", "1.png", "annotations", "annotations/1.json"):
         assert folder_of_dataset(match / place) == match
     assert folder_of_dataset(match / "match.mp4") == match / "match_frames"
@@ -257,14 +255,14 @@ def test_pictures_and_annotations_lead_to_their_folder(match) -> None:
 
 
 @pytest.mark.parametrize("own", ["field.toml", "landmarks.json", "views.csv", "2.png .procc/"])
-def test_annotations_with_things_of_their_own_are_a_dataset(match, own) -> None:
+def test_annotations_with_things_of_their_own_are_a_dataset(match, own):
     for name in own.split():
         path = match / "annotations" / name
         path.mkdir() if name.endswith("/") else path.write_bytes(b"")
     assert folder_of_dataset(match / "annotations") == match / "annotations"
 
 
-def test_a_folder_is_that_of_the_one_video_annotated_in_it(tmp_path) -> None:
+def test_a_folder_is_that_of_the_one_video_annotated_in_it(tmp_path):
     for name in ("a.mp4", "b.MOV"):
         (tmp_path / name).write_bytes(b"")
     assert folder_of_dataset(tmp_path) == tmp_path
@@ -294,7 +292,7 @@ def other(*names: str):
     return replace(SOCCER, name="other", title="Other", elements=elements, symmetries=())
 
 
-def test_the_field_that_knows_most_comes_first() -> None:
+def test_the_field_that_knows_most_comes_first():
     ranked = rank_fields([*CLASSES, "net"], [other("net", CLASSES[0])])
     assert [(m.title, m.known) for m in ranked if m.title in ("Soccer", "Other")] == [
         ("Soccer", 12),
@@ -305,12 +303,12 @@ def test_the_field_that_knows_most_comes_first() -> None:
     assert "soccer" in {m.name for m in rank_fields(["Goal left post left"])}  # spaces do not count
 
 
-def test_among_equals_the_smaller_field_comes_first() -> None:
+def test_among_equals_the_smaller_field_comes_first():
     small, large = other("net"), replace(other("net", "post"), title="Large")
     assert [m.title for m in rank_fields(["net"], [large, small])] == ["Other", "Large"]
 
 
-def test_a_mismatch_names_the_field_that_fits() -> None:
+def test_a_mismatch_names_the_field_that_fits():
     assert mismatch_of([*CLASSES, "Line unknown"], SOCCER) is None
     found = mismatch_of(CLASSES, other("net"))
     assert found.is_worth_reporting
@@ -322,11 +320,11 @@ def test_a_mismatch_names_the_field_that_fits() -> None:
     )
 
 
-def test_a_line_that_nobody_could_name_tells_no_sport() -> None:
+def test_a_line_that_nobody_could_name_tells_no_sport():
     assert mismatch_of(["Line unknown", "Line unknown (2)"], load_field("tennis")) is None
 
 
-def test_no_field_is_named_that_knows_no_more() -> None:
+def test_no_field_is_named_that_knows_no_more():
     found = mismatch_of([*CLASSES, "sponsor"], SOCCER)
     assert found.better is None
     assert not found.is_worth_reporting  # a slip of the pen in a soccer set
@@ -340,7 +338,7 @@ def test_no_field_is_named_that_knows_no_more() -> None:
     )
 
 
-def test_a_field_that_knows_a_few_of_many_is_no_recommendation() -> None:
+def test_a_field_that_knows_a_few_of_many_is_no_recommendation():
     padel = [f"padel {n}" for n in range(11)]
     found = mismatch_of([*padel, *CLASSES[:2]], other("net"))
     assert found.better is None  # soccer knows 2 of the 13
@@ -349,7 +347,7 @@ def test_a_field_that_knows_a_few_of_many_is_no_recommendation() -> None:
     assert found.better.known == 11
 
 
-def test_classes_are_those_with_points_of_frames_that_can_be_read() -> None:
+def test_classes_are_those_with_points_of_frames_that_can_be_read():
     points = (Point(0.1, 0.1), Point(0.2, 0.2))
 
     def unreadable() -> FrameAnnotation:
@@ -382,7 +380,7 @@ def sample(tmp_path, monkeypatch) -> Path:
     return folder
 
 
-def test_a_copy_is_made_and_kept(sample) -> None:
+def test_a_copy_is_made_and_kept(sample):
     own = copy_sample(sample)
     assert own != sample
     found = sorted(p.relative_to(own).as_posix() for p in own.rglob("*") if p.is_file())
@@ -394,7 +392,7 @@ def test_a_copy_is_made_and_kept(sample) -> None:
     assert [p.name for p in own.parent.iterdir()] == ["sample"]
 
 
-def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(sample, monkeypatch) -> None:
+def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(sample, monkeypatch):
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
@@ -404,7 +402,7 @@ def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(sample, monkeypat
     monkeypatch.undo()
 
 
-def test_two_windows_at_once(sample, monkeypatch) -> None:
+def test_two_windows_at_once(sample, monkeypatch):
     import os
 
     replace = os.replace

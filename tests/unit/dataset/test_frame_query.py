@@ -1,7 +1,5 @@
 """The filter's language: what each condition finds, what typing may leave open, what is refused."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -110,7 +108,7 @@ def _found(text: str) -> set[str]:
         ("“frame_07”", "plain"),
     ],
 )
-def test_what_a_filter_finds(text, expected) -> None:
+def test_what_a_filter_finds(text, expected):
     assert _found(text) == set(expected.split())
 
 
@@ -136,7 +134,7 @@ def test_what_a_filter_finds(text, expected) -> None:
         ('""', "a part of a name is missing"),
     ],
 )
-def test_what_is_not_finished_lets_all_frames_through(text, says) -> None:
+def test_what_is_not_finished_lets_all_frames_through(text, says):
     for written in (text, "-" + text.removeprefix("-")):
         query = parse_query(written, FIELD)
         assert query.is_empty
@@ -144,7 +142,7 @@ def test_what_is_not_finished_lets_all_frames_through(text, says) -> None:
     assert says in parse_query(text, FIELD).incomplete
 
 
-def test_finished_conditions_count_beside_unfinished_ones() -> None:
+def test_finished_conditions_count_beside_unfinished_ones():
     query = parse_query("state:untouched jac5:<", FIELD)
     assert query.incomplete.startswith("character 22:")
     assert [query.matches(f) for f in FRAMES.values()] == [True, False, False]
@@ -155,7 +153,7 @@ def test_finished_conditions_count_beside_unfinished_ones() -> None:
 
 
 @pytest.mark.parametrize("whole", [word for word, _ in QUERY_HELP] + ["jac5:0.2..0.8", "n:3..12"])
-def test_typing_a_filter_is_no_error_at_any_moment(whole) -> None:
+def test_typing_a_filter_is_no_error_at_any_moment(whole):
     assert parse_query(whole, FIELD).incomplete == ""
     key, colon, value = whole.partition(":")
     for typed in range(len(value) + 1):
@@ -187,13 +185,13 @@ def test_typing_a_filter_is_no_error_at_any_moment(whole) -> None:
         ("comments:often", r"'often' is not a number; .*open"),
     ],
 )
-def test_what_is_refused(text, message) -> None:
+def test_what_is_refused(text, message):
     with pytest.raises(UsageError, match=message) as caught:
         parse_query(text, FIELD)
     assert str(caught.value).startswith("filter, character ")
 
 
-def test_what_a_filter_needs_and_that_costly_conditions_come_last() -> None:
+def test_what_a_filter_needs_and_that_costly_conditions_come_last():
     def needs(text: str) -> tuple[bool, bool]:
         query = parse_query(text, FIELD)
         return query.needs_annotation, any(c.needs == filter_query._JAC for c in query._conditions)
@@ -218,19 +216,19 @@ def test_what_a_filter_needs_and_that_costly_conditions_come_last() -> None:
     assert asked == [5.0, None]
 
 
-def test_statuses_with_underscores_are_found_too() -> None:
+def test_statuses_with_underscores_are_found_too():
     assert parse_query('state:"In Progress"', FIELD).matches(replace(PLAIN, status="in_progress"))
     for status in STATUSES:
         assert parse_query(f'state:"{status}"', FIELD).matches(replace(PLAIN, status=status))
 
 
-def test_queries_are_values() -> None:
+def test_queries_are_values():
     assert parse_query("n:<5", FIELD) == parse_query("n:<5", FIELD)
     assert parse_query("n:<5", FIELD) != parse_query("n:<6", FIELD)
     assert repr(parse_query("n:<5", FIELD)) == "FrameQuery(text='n:<5', incomplete='')"
 
 
-def test_many_stars_are_no_trap() -> None:
+def test_many_stars_are_no_trap():
     facts = replace(PLAIN, name="a" * 200)
     assert not parse_query("*a" * 30 + "*b", FIELD).matches(facts)
     assert parse_query("*a" * 30 + "*", FIELD).matches(facts)
@@ -246,7 +244,7 @@ _WORDS = st.sampled_from(
 @example("jac" + "9" * 400 + ":<1")
 @example("n:" + "9" * 5000)
 @example("\u2028:\n\0")
-def test_any_text_is_a_filter_or_one_line_of_advice(text) -> None:
+def test_any_text_is_a_filter_or_one_line_of_advice(text):
     try:
         query = parse_query(text, FIELD)
     except UsageError as error:
@@ -262,14 +260,14 @@ def test_any_text_is_a_filter_or_one_line_of_advice(text) -> None:
 
 
 @given(st.text(min_size=1).filter(lambda s: not set(s) & set('"“”„*')))
-def test_a_quoted_name_finds_its_frame(name) -> None:
+def test_a_quoted_name_finds_its_frame(name):
     facts = replace(PLAIN, name=f"a{name}b")
     assert parse_query(f'"{name}"', FIELD).matches(facts)
     assert not parse_query(f'-"{name}"', FIELD).matches(facts)
 
 
 @given(st.integers(0, 40), st.integers(0, 40))
-def test_a_condition_and_its_opposite_part_the_frames(limit, count) -> None:
+def test_a_condition_and_its_opposite_part_the_frames(limit, count):
     facts = replace(PLAIN, annotated=tuple(str(i) for i in range(count)))
     less = parse_query(f"n:<{limit}", FIELD).matches(facts)
     assert less is (count < limit)
@@ -285,7 +283,7 @@ NAMES = [
 ]
 
 
-def test_a_folder_that_holds_nothing_but_another_is_one_with_it() -> None:
+def test_a_folder_that_holds_nothing_but_another_is_one_with_it():
     folders = folders_of(NAMES)
     assert [(f.label, f.depth) for f in folders] == [
         ("epl", 0),
@@ -303,19 +301,19 @@ def test_a_folder_that_holds_nothing_but_another_is_one_with_it() -> None:
     ]
 
 
-def test_a_flat_dataset_has_no_folders() -> None:
+def test_a_flat_dataset_has_no_folders():
     assert folders_of(["1", "2"]) == ()
     assert folders_of([]) == ()
 
 
-def test_rows_are_folders_and_the_frames_in_those_that_are_open() -> None:
+def test_rows_are_folders_and_the_frames_in_those_that_are_open():
     folders = folders_of(NAMES)
     assert rows_of(folders, (), None) == [-1, -2, 0, 1, -3, 2, -4, 3, -5, 4, 5]
     assert rows_of(folders, {"epl"}, None) == [-1, -4, 3, -5, 4, 5]
     assert rows_of(folders, {"epl/a/img1", "liga/x"}, None) == [-1, -2, -3, 2, -4]
 
 
-def test_folders_without_a_frame_that_is_shown_are_left_out() -> None:
+def test_folders_without_a_frame_that_is_shown_are_left_out():
     folders = folders_of(NAMES)
     assert rows_of(folders, (), [1, 5]) == [-1, -2, 1, -4, -5, 5]
     assert rows_of(folders, {"liga/x/deep"}, [1, 5]) == [-1, -2, 1, -4, -5]

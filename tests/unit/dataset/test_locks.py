@@ -1,7 +1,5 @@
 """Locks between windows and machines: who edits what, and when a lock expires."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import threading
@@ -28,7 +26,7 @@ def _age(path: Path, seconds: float) -> None:
     os.utime(path, (moment, moment))
 
 
-def test_one_holds_the_other_is_told(folder) -> None:
+def test_one_holds_the_other_is_told(folder):
     anna, bert = FrameLocks(folder, "Anna"), FrameLocks(folder, "Bert")
     assert anna.holder("f") is None
     assert anna.acquire("f") is None
@@ -51,7 +49,7 @@ def test_one_holds_the_other_is_told(folder) -> None:
     assert anna.beat() == frozenset()
 
 
-def test_release_all_leaves_nothing(folder) -> None:
+def test_release_all_leaves_nothing(folder):
     anna = FrameLocks(folder, "Anna")
     for frame in ("a", "b"):
         anna.acquire(frame)
@@ -64,7 +62,7 @@ def test_release_all_leaves_nothing(folder) -> None:
 @pytest.mark.parametrize(
     "frame", ["a/b\\c:*?", "..", "", "\0", "ä" * 300, "fr\udcff", "con", "a" * 255, "x.lock"]
 )
-def test_any_name_can_be_locked(folder, frame) -> None:
+def test_any_name_can_be_locked(folder, frame):
     anna, bert = FrameLocks(folder, "Änn\udcff a"), FrameLocks(folder, "Bert")
     assert anna.acquire(frame) is None
     assert anna.held == {frame}
@@ -72,14 +70,14 @@ def test_any_name_can_be_locked(folder, frame) -> None:
     assert bert.acquire(frame) is not None
 
 
-def test_names_that_look_alike_are_told_apart(folder) -> None:
+def test_names_that_look_alike_are_told_apart(folder):
     anna, bert = FrameLocks(folder, "Anna"), FrameLocks(folder, "Bert")
     anna.acquire("a b")
     assert bert.holder("a_b") is None
     assert bert.holder("a  b") is None
 
 
-def test_a_lock_without_beats_expires(folder) -> None:
+def test_a_lock_without_beats_expires(folder):
     far = FrameLocks(folder, "Far")
     far.acquire("f")
     anna = FrameLocks(folder, "Anna")
@@ -101,7 +99,7 @@ def test_a_lock_without_beats_expires(folder) -> None:
     assert anna.beat() == frozenset()
 
 
-def test_wrong_clocks_do_not_matter(folder, monkeypatch) -> None:
+def test_wrong_clocks_do_not_matter(folder, monkeypatch):
     far = FrameLocks(folder, "Far")
     monkeypatch.setattr(locks_module.time, "time", lambda: 1.0)
     far.acquire("f")
@@ -119,7 +117,7 @@ GARBAGE = [
 
 
 @pytest.mark.parametrize("content", GARBAGE)
-def test_unreadable_lock_goes_by_its_age(folder, content) -> None:
+def test_unreadable_lock_goes_by_its_age(folder, content):
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
     path = _only_lock(folder)
@@ -133,7 +131,7 @@ def test_unreadable_lock_goes_by_its_age(folder, content) -> None:
     assert bert.held == {"f"}
 
 
-def test_a_full_disk_leaves_no_lock_behind(folder) -> None:
+def test_a_full_disk_leaves_no_lock_behind(folder):
     resource = pytest.importorskip("resource")
     FrameLocks(folder, "Anna").acquire("other")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -147,14 +145,14 @@ def test_a_full_disk_leaves_no_lock_behind(folder) -> None:
     assert FrameLocks(folder, "Bert").acquire("f") is None
 
 
-def test_text_of_a_stranger_stays_in_one_line(folder) -> None:
+def test_text_of_a_stranger_stays_in_one_line(folder):
     FrameLocks(folder, "An\nna " + "x" * 1000).acquire("f")
     found = FrameLocks(folder, "Bert").holder("f")
     assert found.author.startswith("An na x")
     assert len(found.author) <= 200
 
 
-def test_removed_lock_is_lost(folder) -> None:
+def test_removed_lock_is_lost(folder):
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
     anna.acquire("g")
@@ -167,7 +165,7 @@ def test_removed_lock_is_lost(folder) -> None:
     assert anna.beat() == {"g"}
 
 
-def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path) -> None:
+def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path):
     elsewhere, dataset = tmp_path / "elsewhere", tmp_path / "dataset"
     elsewhere.mkdir()
     for link in (dataset / ".procc", dataset / ".procc" / "locks"):
@@ -181,7 +179,7 @@ def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path) -> Non
         assert list(elsewhere.iterdir()) == []
 
 
-def test_folder_out_of_reach_loses_nothing(folder) -> None:
+def test_folder_out_of_reach_loses_nothing(folder):
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
     dataset = folder.parent.parent
@@ -194,7 +192,7 @@ def test_folder_out_of_reach_loses_nothing(folder) -> None:
     assert anna.held == {"f"}
 
 
-def test_what_cannot_be_written_tells_nothing(tmp_path) -> None:
+def test_what_cannot_be_written_tells_nothing(tmp_path):
     blocked = tmp_path / "file"
     blocked.write_bytes(b"")
     for folder in (locks_folder(blocked / "dataset"), locks_folder(tmp_path / "gone")):
@@ -208,7 +206,7 @@ def test_what_cannot_be_written_tells_nothing(tmp_path) -> None:
     assert not (tmp_path / "gone").exists()
 
 
-def test_read_only_folder_tells_who_holds(folder, monkeypatch) -> None:
+def test_read_only_folder_tells_who_holds(folder, monkeypatch):
     FrameLocks(folder, "Far").acquire("f")
 
     def refuse(path: Path, data: bytes) -> None:
@@ -221,7 +219,7 @@ def test_read_only_folder_tells_who_holds(folder, monkeypatch) -> None:
     assert found.author == "Far"
 
 
-def test_of_many_takers_one_gets_it(folder) -> None:
+def test_of_many_takers_one_gets_it(folder):
     rounds, takers = 40, 4
     dead = FrameLocks(folder, "Dead")
     names = [f"f{i}" for i in range(rounds)]
@@ -247,7 +245,7 @@ def test_of_many_takers_one_gets_it(folder) -> None:
     assert sorted(name for window in windows for name in window.held) == sorted(names)
 
 
-def test_single_picture_shares_the_locks_of_its_folder(tmp_path) -> None:
+def test_single_picture_shares_the_locks_of_its_folder(tmp_path):
     picture = tmp_path / "frame.png"
     picture.write_bytes(b"")
     assert locks_folder(picture) == locks_folder(tmp_path)

@@ -1,7 +1,5 @@
 """Frames of one instant from several cameras."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import partial
@@ -28,7 +26,6 @@ from procc_annotator.dataset.landmarks.dataset_landmarks import (
 )
 from procc_annotator.dataset.landmarks.triangulation import (
     DatasetPaths,
-    FrameView,
     TriangulationSettings,
     fitted_views,
     locate_in_dataset,
@@ -63,7 +60,7 @@ GROUPS = ViewGroups(
 )
 
 
-def test_a_file_tells_the_groups(tmp_path) -> None:
+def test_a_file_tells_the_groups(tmp_path):
     path = tmp_path / "views.csv"
     path.write_text("frame;instant;view;note\na2;t1;wide;x\na10;t1;close;\nb;t2;wide;\nc;;;\n")
     groups = load_views(path)
@@ -75,13 +72,13 @@ def test_a_file_tells_the_groups(tmp_path) -> None:
     assert groups.others("not there") == ()
 
 
-def test_views_without_a_name_may_be_any_camera(tmp_path) -> None:
+def test_views_without_a_name_may_be_any_camera(tmp_path):
     path = tmp_path / "views.csv"
     path.write_text("frame,instant,view\na,1,\nb,1,\nc,2,left\nd,,left\ne,,left\n")
     assert load_views(path).groups == {"1": ("a", "b"), "2": ("c",)}
 
 
-def test_rows_of_frames_that_there_are_not_are_named(tmp_path) -> None:
+def test_rows_of_frames_that_there_are_not_are_named(tmp_path):
     path = tmp_path / "views.csv"
     path.write_text("frame,instant\n17_left,17\n17_rigth,17\n99,\n")
     assert load_views(path).unknown_rows(["17_left", "17_right"]) == (
@@ -92,7 +89,7 @@ def test_rows_of_frames_that_there_are_not_are_named(tmp_path) -> None:
     assert load_views(path).unknown_rows(["17_left", "17_rigth", "99"]) == ()
 
 
-def test_groups_are_written_as_they_are_read(tmp_path) -> None:
+def test_groups_are_written_as_they_are_read(tmp_path):
     path = tmp_path / "views.csv"
     strange = ViewGroups(FrameTable({**GROUPS.frames, "=1+1": ViewAssignment("-3", 'a "b", c')}))
     save_views(path, strange)
@@ -100,24 +97,24 @@ def test_groups_are_written_as_they_are_read(tmp_path) -> None:
     assert "\n=1" not in path.read_text()
 
 
-def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(tmp_path) -> None:
+def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(tmp_path):
     file = tmp_path / "views.csv"
     save_views(file, ViewGroups(FrameTable({**GROUPS.frames, "caf\udce9": ViewAssignment("18")})))
     assert GROUPS.frames.items() < load_views(file).frames.items()
 
 
-def test_a_dataset_without_the_file_has_no_groups(tmp_path) -> None:
+def test_a_dataset_without_the_file_has_no_groups(tmp_path):
     assert load_views(tmp_path / "views.csv") == ViewGroups()
 
 
-def test_a_camera_takes_one_frame_at_an_instant(tmp_path) -> None:
+def test_a_camera_takes_one_frame_at_an_instant(tmp_path):
     path = tmp_path / "views.csv"
     path.write_text("frame,instant,view\na,1,left\nb,1,right\nc,1,left\n")
     with pytest.raises(InputError, match="line 4: the view 'left' at instant '1' again, after li"):
         load_views(path)
 
 
-def test_another_file_is_replaced_only_where_it_is_known(tmp_path) -> None:
+def test_another_file_is_replaced_only_where_it_is_known(tmp_path):
     path = tmp_path / "views.csv"
     assert replace_views(path, GROUPS) is None
     assert load_views(path) == GROUPS
@@ -133,14 +130,14 @@ def test_another_file_is_replaced_only_where_it_is_known(tmp_path) -> None:
         assert load_views(path) == GROUPS
 
 
-def test_only_so_many_strange_rows_are_told() -> None:
+def test_only_so_many_strange_rows_are_told():
     lines = {"a": 2, "b": 3, "c": 4}
     groups = ViewGroups(FrameTable(), "views.csv", lines)
     assert groups.unknown_frames({"b"}) == ("a", "c")
     assert [row.split(":")[1] for row in groups.unknown_rows(["b"], 1)] == [" line 2"]
 
 
-def test_frames_are_found_however_they_are_spelled(tmp_path) -> None:
+def test_frames_are_found_however_they_are_spelled(tmp_path):
     """Letters composed otherwise, as a Mac's file system has them, and folders of pictures."""
     path = tmp_path / "views.csv"
     path.write_text("frame,instant,view\ncaf\u00e9/1,7,left\ncaf\u00e9/2,7,right\n", "utf-8")
@@ -153,7 +150,7 @@ def test_frames_are_found_however_they_are_spelled(tmp_path) -> None:
     assert groups.unknown_rows([there])[0].startswith("views.csv: line 3: ")
 
 
-def test_annotations_of_a_tree_may_have_no_picture(tmp_path) -> None:
+def test_annotations_of_a_tree_may_have_no_picture(tmp_path):
     for game in ("game1", "game2"):
         (tmp_path / game / "annotations").mkdir(parents=True)
         (tmp_path / game / "1.png").touch()
@@ -179,7 +176,7 @@ def test_annotations_of_a_tree_may_have_no_picture(tmp_path) -> None:
         (r"(?P<instant>\d+).", ("17a", "17b"), ("17", "")),
     ],
 )
-def test_names_tell_the_groups(pattern, names, expected) -> None:
+def test_names_tell_the_groups(pattern, names, expected):
     groups = groups_by_name([*names, "another"], pattern)
     assert groups.frames[names[0]] == ViewAssignment(*expected)
     assert groups.others(names[0]) == (names[1],)
@@ -198,12 +195,12 @@ def test_names_tell_the_groups(pattern, names, expected) -> None:
         (r"(?P<instant>\d+)(?P<view>_).*", "takes 17_left and 17_right both for the view '_'"),
     ],
 )
-def test_a_pattern_that_groups_nothing_is_refused(pattern, words) -> None:
+def test_a_pattern_that_groups_nothing_is_refused(pattern, words):
     with pytest.raises(UsageError, match=words):
         groups_by_name(["17_left", "17_right"], pattern)
 
 
-def test_a_pattern_tells_whom_it_leaves_alone_and_what_is_wrong() -> None:
+def test_a_pattern_tells_whom_it_leaves_alone_and_what_is_wrong():
     found = views_by_name(["17_left", "b", "17_right", "a"], "{instant}_{view}")
     assert (found.alone, found.problem) == (("a", "b"), "")
     assert found.groups.groups == {"17": ("17_left", "17_right")}
@@ -240,7 +237,7 @@ def test_a_pattern_tells_whom_it_leaves_alone_and_what_is_wrong() -> None:
         ([], ""),
     ],
 )
-def test_a_pattern_that_fits_is_suggested(names, pattern) -> None:
+def test_a_pattern_that_fits_is_suggested(names, pattern):
     assert suggested_pattern(names) == pattern
     if pattern:
         assert not views_by_name(names, pattern).problem
@@ -266,13 +263,13 @@ def found(name: str, instant: str | None = None) -> LocatedLandmark:
         (Landmark("Mast", moving=True), None),
     ],
 )
-def test_surveyed_places_and_moving_objects_are_left_alone(known, instant) -> None:
+def test_surveyed_places_and_moving_objects_are_left_alone(known, instant):
     file = LandmarkFile((known,))
     assert why_kept(file, "Mast", instant)
     assert with_positions(file, [found("Mast", instant)]) == file
 
 
-def test_what_was_triangulated_or_is_not_known_is_placed() -> None:
+def test_what_was_triangulated_or_is_not_known_is_placed():
     old = Landmark("Mast", position=(9.0, 9.0, -9.0), surveyed=False, note="high")
     ball = Landmark("Ball", moving=True)
     there = Landmark("Ball", position=(4.0, 4.0, 0.0), instant="16")
@@ -291,7 +288,7 @@ def test_what_was_triangulated_or_is_not_known_is_placed() -> None:
 # Edits of landmarks: what the window and the command line let a hand write.
 
 
-def test_a_survey_keeps_what_else_is_known() -> None:
+def test_a_survey_keeps_what_else_is_known():
     mark = Landmark("Mast ", "The mast", (1.0, 1.0, 0.0), surveyed=False, frames=("a", "b"))
     (placed,) = with_surveyed_position(LandmarkFile((mark,)), "Mast", (9.0, 9.0, -9.0)).landmarks
     assert (placed.name, placed.title) == ("Mast ", "The mast")
@@ -301,7 +298,7 @@ def test_a_survey_keeps_what_else_is_known() -> None:
     )
 
 
-def test_what_moves_is_not_surveyed_for_good() -> None:
+def test_what_moves_is_not_surveyed_for_good():
     looks = Landmark("Ball", moving=True)
     at_17 = Landmark("Ball", position=(1.0, 2.0, -1.0), instant="17", surveyed=False)
     for file in (LandmarkFile((looks,)), LandmarkFile((at_17,)), LandmarkFile((looks, at_17))):
@@ -309,7 +306,7 @@ def test_what_moves_is_not_surveyed_for_good() -> None:
             with_surveyed_position(file, "Ball", (5.0, 5.0, -1.0))
 
 
-def test_places_are_read_alike_everywhere() -> None:
+def test_places_are_read_alike_everywhere():
     assert parse_surveyed(" Seat=A1 = 1; 2; -3") == ("Seat=A1", parse_position("1, 2, -3"))
     for text in ("Seat", "=1,2,3", "Seat=1,2", "Seat=a,b,c"):
         with pytest.raises(UsageError):
@@ -367,7 +364,7 @@ def located(folder: Path, rng: np.random.Generator, noise_px: float, click_px: f
 
 
 @pytest.mark.parametrize("noise_px", [1.5, 3.0])
-def test_all_landmarks_together_say_how_far_clicks_are_off(tmp_path, noise_px) -> None:
+def test_all_landmarks_together_say_how_far_clicks_are_off(tmp_path, noise_px):
     """One that is clicked in two views says next to nothing of it."""
     found = located(tmp_path, np.random.default_rng(2), noise_px, None)
     assert {one.noise for one in found} == {found[0].noise}
@@ -378,7 +375,7 @@ def test_all_landmarks_together_say_how_far_clicks_are_off(tmp_path, noise_px) -
     assert {one.noise for one in told} == {1.0}
 
 
-def test_the_cameras_are_fitted_to_the_dimensions_of_each_frame_s_stadium() -> None:
+def test_the_cameras_are_fitted_to_the_dimensions_of_each_frame_s_stadium():
     stadium = Stadiums({"a": "small"}, {"small": {"length": 100.0, "width": 64.0}})
     field = with_stadiums(load_field("soccer"), stadium)
     true = PinholeCamera(0.1, 1.35, 0.0, (5.0, 75.0, -18.0), (1100.0, 1100.0), (479.5, 269.5))
@@ -390,5 +387,4 @@ def test_the_cameras_are_fitted_to_the_dimensions_of_each_frame_s_stadium() -> N
         lines.append(Polyline(name, tuple(point_from_px(*p, SIZE) for p in few)))
     views = fitted_views(field, lambda _: FrameAnnotation(tuple(lines)), lambda _: SIZE, "P")
     found = views("a")
-    assert isinstance(found, FrameView)
     np.testing.assert_allclose(found.camera.position_world, true.position_world, atol=0.2)

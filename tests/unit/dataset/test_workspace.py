@@ -1,7 +1,5 @@
 """A dataset being worked on: listing, undo, and saves that never destroy anything."""
 
-from __future__ import annotations
-
 import json
 import unicodedata
 from pathlib import Path
@@ -32,19 +30,19 @@ def opened(folder: Path, annotations: Path | None = None) -> Workspace:
     return Workspace.open(folder, FIELD, annotations)
 
 
-def test_pictures_in_natural_order_hidden_and_other_files_left_out(tmp_path) -> None:
+def test_pictures_in_natural_order_hidden_and_other_files_left_out(tmp_path):
     dataset(tmp_path, "10.jpg", "9.JPEG", "100.png", ".x.jpg", "notes.txt", "a.webp", "b.bmp")
     assert [f.name for f in opened(tmp_path).frames] == ["9", "10", "100", "a", "b"]
 
 
-def test_two_pictures_of_one_name_would_share_a_file_so_one_is_left_out(tmp_path) -> None:
+def test_two_pictures_of_one_name_would_share_a_file_so_one_is_left_out(tmp_path):
     dataset(tmp_path, "1.jpg", "1.png")
     found = opened(tmp_path)
     assert [f.image_path.name for f in found.frames] == ["1.jpg"]
     assert found.notices == ("1.png is left out: 1.jpg already is frame 1",)
 
 
-def test_pictures_whose_annotations_would_pass_for_other_files(tmp_path) -> None:
+def test_pictures_whose_annotations_would_pass_for_other_files(tmp_path):
     dataset(tmp_path, "1.jpg", "camera_1.jpg", "camera_2.jpg", "jac.png", "landmarks.png")
     found = opened(tmp_path)
     assert [f.name for f in found.frames] == ["1", "camera_1", "camera_2"]
@@ -57,7 +55,7 @@ def test_pictures_whose_annotations_would_pass_for_other_files(tmp_path) -> None
     ]
 
 
-def test_where_annotations_lie(tmp_path) -> None:
+def test_where_annotations_lie(tmp_path):
     dataset(tmp_path, "1.jpg")
     assert opened(tmp_path).frames[0].annotation_path == tmp_path / "1.json"
     chosen = tmp_path / "elsewhere"
@@ -69,7 +67,7 @@ def test_where_annotations_lie(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("stem", ["A", "E\u0301"])
-def test_an_annotation_keeps_the_suffix_it_has(tmp_path, stem) -> None:
+def test_an_annotation_keeps_the_suffix_it_has(tmp_path, stem):
     """Another file beside it would be a second annotation of the frame."""
     dataset(tmp_path, f"{unicodedata.normalize('NFC', stem)}.jpg", "B.jpg")
     written = tmp_path / f"{stem}.JSON"
@@ -83,7 +81,7 @@ def test_an_annotation_keeps_the_suffix_it_has(tmp_path, stem) -> None:
     assert workspace.frames[1 - at].annotation_path.name == "B.json"
 
 
-def test_annotations_that_another_folder_hides_are_not_hidden_silently(tmp_path) -> None:
+def test_annotations_that_another_folder_hides_are_not_hidden_silently(tmp_path):
     dataset(tmp_path, "1.jpg", "2.jpg")
     (tmp_path / "1.json").write_text("{}")
     (tmp_path / "jac.json").write_text("{}")
@@ -96,7 +94,7 @@ def test_annotations_that_another_folder_hides_are_not_hidden_silently(tmp_path)
     assert opened(tmp_path, tmp_path / "annotations").notices == ()
 
 
-def test_a_single_picture_and_what_is_none(tmp_path) -> None:
+def test_a_single_picture_and_what_is_none(tmp_path):
     dataset(tmp_path, "1.jpg", "2.jpg", "notes.txt")
     assert [f.name for f in opened(tmp_path / "2.jpg").frames] == ["2"]
     with pytest.raises(UsageError, match="not a picture"):
@@ -105,7 +103,7 @@ def test_a_single_picture_and_what_is_none(tmp_path) -> None:
         opened(tmp_path / "absent")
 
 
-def test_an_edit_is_saved_and_read_again(tmp_path) -> None:
+def test_an_edit_is_saved_and_read_again(tmp_path):
     dataset(tmp_path, "1.jpg")
     work = opened(tmp_path, tmp_path / "new" / "folder")
     assert work.edit(0, "draw", LINE)
@@ -117,7 +115,7 @@ def test_an_edit_is_saved_and_read_again(tmp_path) -> None:
     assert again.annotated_count(0) == 1
 
 
-def test_taking_back_the_first_click_takes_the_file_away(tmp_path) -> None:
+def test_taking_back_the_first_click_takes_the_file_away(tmp_path):
     dataset(tmp_path, "1.jpg")
     work = opened(tmp_path)
     work.save(0)
@@ -134,7 +132,7 @@ def test_taking_back_the_first_click_takes_the_file_away(tmp_path) -> None:
     assert opened(tmp_path).read(0) == LINE
 
 
-def test_a_file_that_others_wrote_is_never_taken_away(tmp_path) -> None:
+def test_a_file_that_others_wrote_is_never_taken_away(tmp_path):
     dataset(tmp_path, "1.jpg", "2.jpg")
     (tmp_path / "1.json").write_text('{"Middle line": []}')
     work = opened(tmp_path)
@@ -153,7 +151,7 @@ def test_a_file_that_others_wrote_is_never_taken_away(tmp_path) -> None:
     assert work.annotation_to_score(0) is not None
 
 
-def test_a_file_changed_meanwhile_is_not_overwritten(tmp_path) -> None:
+def test_a_file_changed_meanwhile_is_not_overwritten(tmp_path):
     dataset(tmp_path, "1.jpg")
     path = tmp_path / "1.json"
     path.write_text('{"Circle left": []}')
@@ -173,7 +171,7 @@ def test_a_file_changed_meanwhile_is_not_overwritten(tmp_path) -> None:
     assert "Middle line" in path.read_text()
 
 
-def test_a_file_that_appeared_meanwhile_counts_as_changed(tmp_path) -> None:
+def test_a_file_that_appeared_meanwhile_counts_as_changed(tmp_path):
     dataset(tmp_path, "1.jpg")
     work = opened(tmp_path)
     work.edit(0, "draw", LINE)
@@ -184,7 +182,7 @@ def test_a_file_that_appeared_meanwhile_counts_as_changed(tmp_path) -> None:
     assert opened(tmp_path).read(0) == LINE
 
 
-def test_a_folder_that_vanished_is_not_made_anew(tmp_path) -> None:
+def test_a_folder_that_vanished_is_not_made_anew(tmp_path):
     folder = dataset(tmp_path / "drive", "1.jpg")
     work = opened(folder)
     work.edit(0, "draw", LINE)
@@ -197,7 +195,7 @@ def test_a_folder_that_vanished_is_not_made_anew(tmp_path) -> None:
     assert opened(folder).read(0) == LINE
 
 
-def test_a_deleted_file_is_written_again(tmp_path) -> None:
+def test_a_deleted_file_is_written_again(tmp_path):
     dataset(tmp_path, "1.jpg")
     (tmp_path / "1.json").write_text("{}")
     work = opened(tmp_path)
@@ -207,7 +205,7 @@ def test_a_deleted_file_is_written_again(tmp_path) -> None:
     assert opened(tmp_path).read(0) == LINE
 
 
-def test_a_folder_that_is_gone_for_a_while_takes_nothing_from_the_screen(tmp_path) -> None:
+def test_a_folder_that_is_gone_for_a_while_takes_nothing_from_the_screen(tmp_path):
     folder = tmp_path / "drive"
     folder.mkdir()
     dataset(folder, "1.jpg")
@@ -223,7 +221,7 @@ def test_a_folder_that_is_gone_for_a_while_takes_nothing_from_the_screen(tmp_pat
     assert not work.state(0).history.current.annotated
 
 
-def test_a_failed_save_stays_dirty_and_keeps_the_old_file(tmp_path, monkeypatch) -> None:
+def test_a_failed_save_stays_dirty_and_keeps_the_old_file(tmp_path, monkeypatch):
     dataset(tmp_path, "1.jpg")
     (tmp_path / "1.json").write_text("{}")
     work = opened(tmp_path)
@@ -245,7 +243,7 @@ def test_a_failed_save_stays_dirty_and_keeps_the_old_file(tmp_path, monkeypatch)
 
 
 @pytest.mark.parametrize("content", ['{"Circle left": [{"x": NaN, "y": 1}]}', "{", ""])
-def test_an_unreadable_annotation_blocks_its_frame_only(tmp_path, content) -> None:
+def test_an_unreadable_annotation_blocks_its_frame_only(tmp_path, content):
     dataset(tmp_path, "1.jpg", "2.jpg")
     (tmp_path / "1.json").write_text(content)
     work = opened(tmp_path)
@@ -263,7 +261,7 @@ def test_an_unreadable_annotation_blocks_its_frame_only(tmp_path, content) -> No
     assert work.edit(0, "draw", LINE)
 
 
-def test_a_blocked_frame_is_not_overwritten_even_on_request(tmp_path) -> None:
+def test_a_blocked_frame_is_not_overwritten_even_on_request(tmp_path):
     dataset(tmp_path, "1.jpg")
     (tmp_path / "1.json").write_text("{ half a fil")
     work = opened(tmp_path)
@@ -272,7 +270,7 @@ def test_a_blocked_frame_is_not_overwritten_even_on_request(tmp_path) -> None:
     assert (tmp_path / "1.json").read_text() == "{ half a fil"
 
 
-def test_a_repaired_frame_cannot_be_undone_to_an_emptiness_it_never_had(tmp_path) -> None:
+def test_a_repaired_frame_cannot_be_undone_to_an_emptiness_it_never_had(tmp_path):
     dataset(tmp_path, "1.jpg")
     path = tmp_path / "1.json"
     path.write_text("{")
@@ -285,7 +283,7 @@ def test_a_repaired_frame_cannot_be_undone_to_an_emptiness_it_never_had(tmp_path
     assert work.dirty_frames() == []
 
 
-def test_a_failed_reload_changes_nothing(tmp_path) -> None:
+def test_a_failed_reload_changes_nothing(tmp_path):
     dataset(tmp_path, "1.jpg")
     work = opened(tmp_path)
     work.edit(0, "draw", LINE)
@@ -298,7 +296,7 @@ def test_a_failed_reload_changes_nothing(tmp_path) -> None:
     assert (tmp_path / "1.json").read_text() == "{"
 
 
-def test_a_link_in_a_circle_does_not_end_the_listing(tmp_path) -> None:
+def test_a_link_in_a_circle_does_not_end_the_listing(tmp_path):
     dataset(tmp_path, "1.jpg")
     (tmp_path / "2.jpg").symlink_to(tmp_path / "2.jpg")
     (tmp_path / "3.jpg").symlink_to(tmp_path / "nowhere.jpg")
@@ -306,7 +304,7 @@ def test_a_link_in_a_circle_does_not_end_the_listing(tmp_path) -> None:
     assert [f.name for f in opened(tmp_path).frames] == ["1", "4"]
 
 
-def test_a_folder_in_place_of_an_annotation(tmp_path) -> None:
+def test_a_folder_in_place_of_an_annotation(tmp_path):
     dataset(tmp_path, "1.jpg")
     (tmp_path / "1.json").mkdir()
     assert "is a folder" in str(opened(tmp_path).state(0).error)
@@ -318,7 +316,7 @@ names = st.sampled_from(["Circle left", "Middle line", "Line unknown"])
 
 
 @given(st.data())
-def test_undoing_every_edit_gives_the_beginning_back(data) -> None:
+def test_undoing_every_edit_gives_the_beginning_back(data):
     history = History(LINE)
     passed = [LINE]
     for _ in range(data.draw(st.integers(0, 15))):
@@ -352,7 +350,7 @@ def test_undoing_every_edit_gives_the_beginning_back(data) -> None:
     assert not history.can_redo
 
 
-def test_a_new_edit_gives_up_what_was_undone() -> None:
+def test_a_new_edit_gives_up_what_was_undone():
     history = History(FrameAnnotation())
     history.push("draw", LINE)
     history.undo()
@@ -361,7 +359,7 @@ def test_a_new_edit_gives_up_what_was_undone() -> None:
     assert not history.push("nothing", history.current)
 
 
-def test_changing_a_class_keeps_its_place_and_refuses_a_taken_one() -> None:
+def test_changing_a_class_keeps_its_place_and_refuses_a_taken_one():
     both = LINE.with_polyline(Polyline("Circle left", (Point(0, 0),)))
     changed = editing.change_class(both, "Middle line", "Side line left")
     assert changed.annotated == ("Side line left", "Circle left")
@@ -374,13 +372,13 @@ def test_changing_a_class_keeps_its_place_and_refuses_a_taken_one() -> None:
             call(both, "Circle left", 1)
 
 
-def test_moving_a_point_keeps_what_the_file_said_about_it() -> None:
+def test_moving_a_point_keeps_what_the_file_said_about_it():
     before = FrameAnnotation((Polyline("Circle left", (Point(0, 0, (("occluded", True),)),)),))
     moved = editing.move_point(before, "Circle left", 0, Point(0.5, 0.5))
     assert moved.polylines[0].points == (Point(0.5, 0.5, (("occluded", True),)),)
 
 
-def test_somebody_elses_empty_file_is_not_removed_for_ours(tmp_path, monkeypatch) -> None:
+def test_somebody_elses_empty_file_is_not_removed_for_ours(tmp_path, monkeypatch):
     """Ours was to go away, nobody could see whether it did; theirs says: nothing is in sight."""
     dataset(tmp_path, "1.jpg")
     work, path = opened(tmp_path), tmp_path / "1.json"
@@ -406,7 +404,7 @@ def test_somebody_elses_empty_file_is_not_removed_for_ours(tmp_path, monkeypatch
     assert path.read_bytes() == b"{}"
 
 
-def test_annotations_around_an_only_folder_may_be_composed_otherwise(tmp_path) -> None:
+def test_annotations_around_an_only_folder_may_be_composed_otherwise(tmp_path):
     (tmp_path / "img1").mkdir()
     (tmp_path / "img1/caf\u00e9.png").touch()
     (tmp_path / "cafe\u0301.json").write_text("{}")

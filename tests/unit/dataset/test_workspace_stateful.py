@@ -1,7 +1,5 @@
 """Any mixture of edits, saves that fail, and others changing the files: nothing is ever lost."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 from unittest.mock import patch
@@ -178,7 +176,7 @@ TestOneFrame.settings = settings(
 )
 
 
-def test_two_windows_on_one_dataset_never_overwrite_each_other(tmp_path) -> None:
+def test_two_windows_on_one_dataset_never_overwrite_each_other(tmp_path):
     (tmp_path / "1.jpg").write_bytes(b"")
     one, two = (Workspace.open(tmp_path, FIELD) for _ in range(2))
     first = FrameAnnotation((Polyline("Circle left", (Point(0.1, 0.2),)),))

@@ -1,7 +1,5 @@
 """What `field check` says of a field that can be read: mistakes are found, right fields pass."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 
@@ -89,12 +87,12 @@ def remarks(tmp_path: Path, old: str = "", new: str = "", **taken: str) -> list[
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_the_shipped_fields_give_no_warning(name) -> None:
+def test_the_shipped_fields_give_no_warning(name):
     found = [r for r in validate_field(load_field(name)) if r.severity is not WarningSeverity.NOTE]
     assert not found
 
 
-def test_a_right_field_gives_no_remark(tmp_path) -> None:
+def test_a_right_field_gives_no_remark(tmp_path):
     assert remarks(tmp_path) == []
 
 
@@ -167,7 +165,7 @@ def test_a_right_field_gives_no_remark(tmp_path) -> None:
         ),
     ],
 )
-def test_a_doubt_is_named_with_its_place_and_what_to_do(tmp_path, old, new, expected) -> None:
+def test_a_doubt_is_named_with_its_place_and_what_to_do(tmp_path, old, new, expected):
     assert expected in remarks(tmp_path, old, new, S="Snap to lines")
 
 
@@ -188,14 +186,14 @@ def test_a_doubt_is_named_with_its_place_and_what_to_do(tmp_path, old, new, expe
         ),
     ],
 )
-def test_misplaced_elements_are_named(tmp_path, old, new, expected) -> None:
+def test_misplaced_elements_are_named(tmp_path, old, new, expected):
     assert old in COURT
     text = COURT.replace("symmetries = [180]", "symmetries = []").replace(old, new)
     found = [str(remark) for remark in validate_field(load_field(written(tmp_path, text)))]
     assert expected in found
 
 
-def test_coordinates_from_a_corner_are_noticed(tmp_path) -> None:
+def test_coordinates_from_a_corner_are_noticed(tmp_path):
     text = COURT.replace("-length / 2", "0").replace("length / 2", "length")
     text = text.replace("-width / 2", "0").replace("width / 2", "width")
     text = text.replace("symmetries = [180]", "symmetries = []")
@@ -205,7 +203,7 @@ def test_coordinates_from_a_corner_are_noticed(tmp_path) -> None:
     assert any("element 'End right': lies up to 10 m outside" in r for r in found)
 
 
-def test_half_a_field_is_noticed(tmp_path) -> None:
+def test_half_a_field_is_noticed(tmp_path):
     found = [
         str(r)
         for r in validate_field(
@@ -217,7 +215,7 @@ def test_half_a_field_is_noticed(tmp_path) -> None:
     )
 
 
-def test_every_size_the_rules_allow_must_make_a_field(tmp_path) -> None:
+def test_every_size_the_rules_allow_must_make_a_field(tmp_path):
     found = remarks(tmp_path, 'line_width = "line"', 'line_width = "line * sqrt(length - 19)"')
     assert len(found) == 1
     assert found[0].startswith(
@@ -225,7 +223,7 @@ def test_every_size_the_rules_allow_must_make_a_field(tmp_path) -> None:
     )
 
 
-def test_a_dimension_that_nothing_follows_is_noticed(tmp_path) -> None:
+def test_a_dimension_that_nothing_follows_is_noticed(tmp_path):
     found = remarks(
         tmp_path,
         "[paint]",
@@ -250,7 +248,7 @@ def test_a_dimension_that_nothing_follows_is_noticed(tmp_path) -> None:
         ('name = "Net"', 'name = "Side far"', 'name = "Side far"\ntitle = "Net"'),
     ],
 )
-def test_an_error_says_its_line(tmp_path, old, new, line_with) -> None:
+def test_an_error_says_its_line(tmp_path, old, new, line_with):
     text = COURT.replace(old, new, 1)
     line = text[: text.index(line_with)].count("\n") + 1
     with pytest.raises(FieldError) as caught:
@@ -260,7 +258,7 @@ def test_an_error_says_its_line(tmp_path, old, new, line_with) -> None:
     assert caught.value.place.startswith(f"line {expected}: ")
 
 
-def test_lines_of_a_real_file() -> None:
+def test_lines_of_a_real_file():
     text = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
     lines = text.splitlines()
     line = line_number_of(text, "element 'Goal left post left '.start[2]")
@@ -270,7 +268,7 @@ def test_lines_of_a_real_file() -> None:
     assert line_number_of(text, "the file") is None
 
 
-def test_a_hostile_line_costs_no_time() -> None:
+def test_a_hostile_line_costs_no_time():
     """A quarter of a megabyte of blanks: by its square it would take minutes."""
     started = time.process_time()
     assert line_number_of("[" + " " * 250_000 + "x", "dimensions.length") is None

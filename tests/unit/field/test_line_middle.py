@@ -1,7 +1,5 @@
 """Fields with their lines in the middle of their paint: by how much, and what stays."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
@@ -45,7 +43,7 @@ def ends(field: str, name: str) -> np.ndarray:
     return np.array(ends_of(geometry_of(field, name)))
 
 
-def test_soccer_lines_move_by_half_their_width_inwards() -> None:
+def test_soccer_lines_move_by_half_their_width_inwards():
     assert ends("soccer", "Side line top") == pytest.approx(
         np.array([(-52.44, -33.94, 0), (52.44, -33.94, 0)])  # to the corners' own middle
     )
@@ -59,7 +57,7 @@ def test_soccer_lines_move_by_half_their_width_inwards() -> None:
     assert (arc.radius, arc.centre[0]) == pytest.approx((9.15 - 0.06, -52.5 + 11))
 
 
-def test_basketball_borders_move_outwards_and_all_else_inwards() -> None:
+def test_basketball_borders_move_outwards_and_all_else_inwards():
     assert ends("basketball_fiba", "Court edge top") == pytest.approx(
         np.array([(-14.025, -7.525, 0), (14.025, -7.525, 0)])
     )
@@ -77,14 +75,14 @@ def test_basketball_borders_move_outwards_and_all_else_inwards() -> None:
     assert begin[1] == pytest.approx(-(7.5 - 0.9 - 0.025))
 
 
-def test_wide_paint_moves_far() -> None:
+def test_wide_paint_moves_far():
     side = load_field("american_football").element("Side line top")
     moved = ends("american_football", "Side line top")
     assert moved[:, 1] == pytest.approx(side.geometry.start[1] - 1.8288 / 2)
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_a_shipped_field_stays_the_same_but_for_its_paint(name) -> None:
+def test_a_shipped_field_stays_the_same_but_for_its_paint(name):
     field = load_field(name)
     moved = with_centred_markings(field)
     assert [replace(e, geometry=None, inside=None) for e in moved.elements] == [
@@ -103,7 +101,7 @@ def test_a_shipped_field_stays_the_same_but_for_its_paint(name) -> None:
 
 
 @pytest.mark.parametrize("name", ["soccer", "basketball_nba", "handball", "athletics"])
-def test_the_paint_stays_where_it_is(name) -> None:
+def test_the_paint_stays_where_it_is(name):
     """One of its borders is where the element was, the other where it was before."""
     field = load_field(name)
     moved = with_centred_markings(field)
@@ -134,7 +132,7 @@ def _across(borders: list, element: Element) -> list[float]:
     return sorted(float(across @ np.subtract(b.start, element.geometry.start)) for b in borders)
 
 
-def test_what_has_no_paint_or_no_known_side_stays() -> None:
+def test_what_has_no_paint_or_no_known_side_stays():
     soccer = load_field("soccer")
     bar = Line((0.0, -1.0, -2.0), (0.0, 1.0, -2.0))
     ring = Circle((0.0, 0.0, 0.0), 0.03)
@@ -147,7 +145,7 @@ def test_what_has_no_paint_or_no_known_side_stays() -> None:
     assert with_centred_markings(replace(soccer, elements=odd)).elements == odd
 
 
-def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks() -> None:
+def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks():
     sized = with_landmarks(
         load_field("soccer", length=101.0), [Landmark("Seat", position=(60.0, 0.0, -5.0))]
     )
@@ -163,7 +161,7 @@ def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks() -> None:
         with_lines(sized, "edge")
 
 
-def test_a_field_file_may_say_where_its_lines_are(tmp_path) -> None:
+def test_a_field_file_may_say_where_its_lines_are(tmp_path):
     own = tmp_path / "field.toml"
     text = builtin_field_file("volleyball").read_text()
     own.write_text('lines = "middle"\n' + text)
@@ -192,7 +190,7 @@ def one_element(geometry, **looks) -> Field:
     return replace(SOCCER, elements=(element,), symmetries=())
 
 
-def test_soccer_is_measured_at_the_outer_edge() -> None:
+def test_soccer_is_measured_at_the_outer_edge():
     (side,) = borders_of(SOCCER, "Side line top")
     assert outline_of(side.geometry)[:, 1] == pytest.approx(-34 + 0.12)
     (circle,) = borders_of(SOCCER, "Circle central")
@@ -208,7 +206,7 @@ def test_soccer_is_measured_at_the_outer_edge() -> None:
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_every_border_is_as_far_away_as_the_paint_is_wide(name) -> None:
+def test_every_border_is_as_far_away_as_the_paint_is_wide(name):
     field = load_field(name)
     own = sample_evenly(field, 0.01 if name == "tennis" else 0.05)
     painted = [e for e in field.elements if e.line_width > 0]
@@ -224,7 +222,7 @@ def test_every_border_is_as_far_away_as_the_paint_is_wide(name) -> None:
         assert apart.max() == pytest.approx(wanted, abs=0.03), border.name
 
 
-def test_corners_of_a_box_stay_corners() -> None:
+def test_corners_of_a_box_stay_corners():
     places = [(0, 0, 0), (4, 0, 0), (4, 3, 0), (0, 3, 0), (0, 0, 0)]
     box = Chain(tuple(Line(a, b) for a, b in zip(places, places[1:], strict=False)))  # noqa: RUF007
     field = one_element(box, line_width=0.5, inside=(2.0, 1.5, 0.0))
@@ -235,7 +233,7 @@ def test_corners_of_a_box_stay_corners() -> None:
     assert corners == {(-0.5, -0.5, 0), (4.5, -0.5, 0), (4.5, 3.5, 0), (-0.5, 3.5, 0)}
 
 
-def test_a_curve_is_painted_in_its_own_plane() -> None:
+def test_a_curve_is_painted_in_its_own_plane():
     hoop = Circle((0.0, 0.0, -3.0), 1.0, (0.0, 1.0, 0.0), (0.0, 0.0, -1.0))
     inner, outer = sorted(
         e.geometry.radius for e in borders_of(one_element(hoop, line_width=0.2), "it")
@@ -245,7 +243,7 @@ def test_a_curve_is_painted_in_its_own_plane() -> None:
     assert len(borders_of(small, "it")) == 1  # inside of it nothing is left unpainted
 
 
-def test_a_bar_in_the_air_is_painted_towards_a_place_only() -> None:
+def test_a_bar_in_the_air_is_painted_towards_a_place_only():
     bar = Line((0.0, -1.0, -2.0), (0.0, 1.0, -2.0))
     assert not borders_of(one_element(bar, line_width=0.1), "it")
     (lower,) = borders_of(one_element(bar, line_width=0.1, inside=(0.0, 0.0, -1.0)), "it")

@@ -1,7 +1,5 @@
 """Loading a field: soccer is complete, and every mistake in a file is named with its place."""
 
-from __future__ import annotations
-
 import contextlib
 import gc
 import json
@@ -40,7 +38,7 @@ def load_changed(tmp_path: Path, old: str, new: str) -> str:
     return str(caught.value)
 
 
-def test_soccer_has_the_26_official_classes_in_order() -> None:
+def test_soccer_has_the_26_official_classes_in_order():
     names = [e.name for e in load_field("soccer").elements if not e.optional]
     assert len(names) == 26
     assert names == sorted(names)
@@ -50,13 +48,11 @@ def test_soccer_has_the_26_official_classes_in_order() -> None:
     assert "soccer" in field_names()
 
 
-def test_measures_are_those_of_the_rules() -> None:
+def test_measures_are_those_of_the_rules():
     field = load_field("soccer")
 
     def line(name: str) -> Line:
-        geometry = field.elements[field.index[name]].geometry
-        assert isinstance(geometry, Line)
-        return geometry
+        return field.elements[field.index[name]].geometry
 
     assert line("Goal left post left ").start == (-52.5, 3.66, -2.44)
     assert line("Goal right post left").end == (52.5, -3.66, 0.0)
@@ -69,20 +65,20 @@ def test_measures_are_those_of_the_rules() -> None:
     assert end == pytest.approx(36.0)
 
 
-def test_other_legal_dimensions_move_the_field() -> None:
+def test_other_legal_dimensions_move_the_field():
     field = load_field("soccer", length=100, width=64)
     geometry = field.elements[field.index["Side line right"]].geometry
     assert geometry == Line((50.0, -32.0, 0.0), (50.0, 32.0, 0.0))
 
 
-def test_dimensions_outside_the_rules_are_refused() -> None:
+def test_dimensions_outside_the_rules_are_refused():
     with pytest.raises(FieldError, match="130 m is outside the range of the rules, 90 to 120 m"):
         load_field("soccer", length=130)
     with pytest.raises(FieldError, match="did you mean 'length'"):
         load_field("soccer", lenght=100)
 
 
-def test_an_unknown_field_is_named() -> None:
+def test_an_unknown_field_is_named():
     with pytest.raises(FieldError, match=r"no such field; did you mean 'soccer'.*known: .*soccer"):
         load_field("socer")
     with pytest.raises(FieldError, match="no such field"):
@@ -133,7 +129,7 @@ def test_an_unknown_field_is_named() -> None:
         ),
     ],
 )
-def test_a_mistake_is_named_with_its_place(tmp_path, old, new, expected) -> None:
+def test_a_mistake_is_named_with_its_place(tmp_path, old, new, expected):
     assert expected in load_changed(tmp_path, old, new)
 
 
@@ -151,7 +147,7 @@ def test_a_mistake_is_named_with_its_place(tmp_path, old, new, expected) -> None
         ("-" * 20000 + "1", "longer than 200 characters"),
     ],
 )
-def test_a_formula_gives_one_number_or_a_clear_error(tmp_path, formula, expected) -> None:
+def test_a_formula_gives_one_number_or_a_clear_error(tmp_path, formula, expected):
     error = load_changed(tmp_path, 'radius = "circle_radius"', f'radius = "{formula}"')
     assert "element 'Circle central'.radius: " in error
     assert expected in error
@@ -159,7 +155,7 @@ def test_a_formula_gives_one_number_or_a_clear_error(tmp_path, formula, expected
 
 @settings(deadline=None)
 @given(st.text(st.sampled_from("19+-*/().,;=<[]{}eE: \n\x00lengthpi_"), max_size=40))
-def test_no_formula_brings_the_program_down(tmp_path_factory, formula) -> None:
+def test_no_formula_brings_the_program_down(tmp_path_factory, formula):
     path = tmp_path_factory.getbasetemp() / "formula.toml"
     quoted = json.dumps(formula)  # a JSON text is a TOML basic string as well
     path.write_text(
@@ -169,7 +165,7 @@ def test_no_formula_brings_the_program_down(tmp_path_factory, formula) -> None:
         assert load_field(path).elements
 
 
-def test_a_missing_file_and_a_binary_file(tmp_path) -> None:
+def test_a_missing_file_and_a_binary_file(tmp_path):
     with pytest.raises(FieldError, match="no such file"):
         load_field(tmp_path / "absent.toml")
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
@@ -177,7 +173,7 @@ def test_a_missing_file_and_a_binary_file(tmp_path) -> None:
         load_field(tmp_path / "binary.toml")
 
 
-def test_names_of_third_parties_get_the_official_spelling() -> None:
+def test_names_of_third_parties_get_the_official_spelling():
     field = load_field()
     assert field.canonical_name("Goal left post left") == "Goal left post left "
     assert field.canonical_name(" Line unknown") == "Line unknown"
@@ -186,7 +182,7 @@ def test_names_of_third_parties_get_the_official_spelling() -> None:
     assert not field.knows("Corner flag ")
 
 
-def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path) -> None:
+def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path):
     mine = tmp_path / "field.toml"
     mine.write_text(SOCCER, encoding="utf-8")
     assert load_field(mine).described == "soccer"  # it is the same field
@@ -204,21 +200,21 @@ def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path) -> None
 @pytest.mark.parametrize(
     "name", ["my padel", "padel/2", "padel:length", "../padel", "a=b", "p\\u0009"]
 )
-def test_names_are_plain(tmp_path, name) -> None:
+def test_names_are_plain(tmp_path, name):
     mine = tmp_path / "mine.toml"
     mine.write_text(SOCCER.replace('name = "soccer"', f'name = "{name}"'), encoding="utf-8")
     with pytest.raises(FieldError, match="name: expected"):
         load_field(mine)
 
 
-def test_a_single_table_of_elements_is_told(tmp_path) -> None:
+def test_a_single_table_of_elements_is_told(tmp_path):
     mine = tmp_path / "mine.toml"
     mine.write_text('name = "a"\ntitle = "A"\n\n[elements]\nname = "b"\n', encoding="utf-8")
     with pytest.raises(FieldError, match=r"line 4: elements: expected \[\[elements\]\]"):
         load_field(mine)
 
 
-def test_the_mark_some_editors_put_in_front_of_a_file_is_no_mistake(tmp_path) -> None:
+def test_the_mark_some_editors_put_in_front_of_a_file_is_no_mistake(tmp_path):
     mine = tmp_path / "mine.toml"
     mine.write_text(SOCCER, encoding="utf-8-sig")
     assert load_field(mine) == load_field("soccer")
@@ -239,7 +235,7 @@ def threads_in_a_hurry() -> Iterator[None]:
 
 
 @pytest.mark.usefixtures("threads_in_a_hurry")
-def test_fields_are_the_same_whoever_else_reads_one() -> None:
+def test_fields_are_the_same_whoever_else_reads_one():
     names = field_names()[:4]
     alone = [load_field(name) for name in names]
     with ThreadPoolExecutor(6) as pool:
@@ -269,11 +265,11 @@ def test_fields_are_the_same_whoever_else_reads_one() -> None:
         ("soccer", "点", []),
     ],
 )
-def test_labels_and_their_classes(field, label, classes) -> None:
+def test_labels_and_their_classes(field, label, classes):
     assert list(matching_classes(label, load_field(field)).classes) == classes
 
 
-def test_the_other_side_is_never_alike() -> None:
+def test_the_other_side_is_never_alike():
     field = load_field("soccer")
     for side, other in (("left", "right"), ("top", "bottom")):
         for element in field.elements:
@@ -311,12 +307,12 @@ def looks(sport: str, name: str) -> Appearance:
         ("futsal", "Goal left crossbar", Appearance(BAR, ANY, ANY, 0.08)),
     ],
 )
-def test_shipped_fields_say_how_paint_looks(sport, name, expected) -> None:
+def test_shipped_fields_say_how_paint_looks(sport, name, expected):
     assert looks(sport, name) == expected
 
 
 @pytest.mark.parametrize("sport", field_names())
-def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport) -> None:
+def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport):
     text = builtin_field_file(sport).read_text(encoding="utf-8")
     assert "\ntone = " in text.split("[[elements]]")[0]
     for element in load_field(sport).elements:
@@ -339,7 +335,7 @@ def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport) -> 
         (MIDDLE, MIDDLE + "diameter = 1\n", "is of use only with seen_as"),
     ],
 )
-def test_a_mistake_is_told_with_its_place(tmp_path, old, new, expected) -> None:
+def test_a_mistake_is_told_with_its_place(tmp_path, old, new, expected):
     text = builtin_field_file("soccer").read_text(encoding="utf-8")
     if new.startswith("[bars]\npaint_colour"):
         text = text.replace('paint_colour = "white"\n\n# Where', "\n# Where")
@@ -351,7 +347,7 @@ def test_a_mistake_is_told_with_its_place(tmp_path, old, new, expected) -> None:
     assert "line " in str(caught.value)
 
 
-def test_what_paint_looks_like_is_no_part_of_what_a_field_is(tmp_path) -> None:
+def test_what_paint_looks_like_is_no_part_of_what_a_field_is(tmp_path):
     """A copy of a shipped field made before it said so is that field still."""
     text = builtin_field_file("soccer").read_text(encoding="utf-8")
     path = tmp_path / "field.toml"
@@ -376,7 +372,7 @@ def court(tmp_path: Path, relations: str, text: str = OPEN) -> Path:
 
 
 @pytest.mark.parametrize("name", ["soccer", "futsal"])
-def test_a_pitch_is_longer_than_wide(name) -> None:
+def test_a_pitch_is_longer_than_wide(name):
     field = load_field(name)
     length, width = field.dimension("length"), field.dimension("width")
     assert length is not None
@@ -389,7 +385,7 @@ def test_a_pitch_is_longer_than_wide(name) -> None:
     )
 
 
-def test_every_sign_counts(tmp_path) -> None:
+def test_every_sign_counts(tmp_path):
     wanted = '["length >= 2 * width", "width <= length / 2", "width < length", "length > width"]'
     field = load_field(court(tmp_path, wanted))
     assert with_dimensions(field, {"length": 22.0}).dimensions[0].value == 22.0
@@ -397,7 +393,7 @@ def test_every_sign_counts(tmp_path) -> None:
         with_dimensions(field, {"length": 18.0})
 
 
-def test_equal_but_for_rounding_is_equal(tmp_path) -> None:
+def test_equal_but_for_rounding_is_equal(tmp_path):
     field = load_field(court(tmp_path, '["width * 0.1 * 3 <= 3", "length / 100 + 0.1 >= 0.3"]'))
     assert field.relations[1].sides({"length": 20.0})[0] == pytest.approx(0.3)
 
@@ -417,18 +413,18 @@ def test_equal_but_for_rounding_is_equal(tmp_path) -> None:
         ('["length > (1).__class__"]', "expected a number or a formula"),
     ],
 )
-def test_what_is_no_relation_is_told_with_its_line(tmp_path, relations, told) -> None:
+def test_what_is_no_relation_is_told_with_its_line(tmp_path, relations, told):
     with pytest.raises(FieldError, match=rf"line 5: .*{told}"):
         load_field(court(tmp_path, relations))
 
 
-def test_relations_in_the_wrong_table_are_told_where_they_belong(tmp_path) -> None:
+def test_relations_in_the_wrong_table_are_told_where_they_belong(tmp_path):
     path = written(tmp_path, COURT.replace("[paint]", 'relations = ["length > width"]\n[paint]'))
     with pytest.raises(FieldError, match=r"line 10: .*relations stands above the first \[table\]"):
         load_field(path)
 
 
-def test_a_value_that_no_others_allow_is_a_remark(tmp_path) -> None:
+def test_a_value_that_no_others_allow_is_a_remark(tmp_path):
     # A width of 20 m takes a length over 20 m, which the range of the length has.
     assert validate_field(load_field(court(tmp_path, '["length > width"]'))) == ()
     (remark,) = validate_field(load_field(court(tmp_path, '["length > 1.5 * width"]')))

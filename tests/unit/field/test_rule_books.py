@@ -1,7 +1,5 @@
 """Soccer's marks, futsal, handball and the running track against their rule books."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -35,9 +33,7 @@ def geometry(field: Field, name: str) -> Geometry:
 
 
 def line(field: Field, name: str) -> Line:
-    found = geometry(field, name)
-    assert isinstance(found, Line)
-    return found
+    return geometry(field, name)
 
 
 def places(field: Field, name: str, spacing_m: float = 0.1) -> FloatArray:
@@ -63,7 +59,7 @@ class TestSoccer:
 
     field = load_field("soccer")
 
-    def test_corners_and_marks(self) -> None:
+    def test_corners_and_marks(self):
         for side, sign in SIDES:
             for row, ahead in (("top", -1.0), ("bottom", 1.0)):
                 corner = (sign * 52.5, ahead * 34.0, 0.0)
@@ -77,7 +73,7 @@ class TestSoccer:
             assert geometry(self.field, f"Penalty mark {side}") == Spot((sign * 41.5, 0.0, 0.0))
         assert geometry(self.field, "Centre mark") == Spot((0.0, 0.0, 0.0))
 
-    def test_lines_belong_to_the_areas_they_bound(self) -> None:
+    def test_lines_belong_to_the_areas_they_bound(self):
         for side, sign in SIDES:
             for area in ("Big", "Small"):
                 for row in ("main", "top", "bottom"):
@@ -91,7 +87,7 @@ class TestSoccer:
         halfway = self.field.element("Middle line")
         assert halfway.inside is None  # both halves have half of it
 
-    def test_lines_are_at_most_twelve_centimetres_wide(self) -> None:
+    def test_lines_are_at_most_twelve_centimetres_wide(self):
         width = self.field.dimension("line_width")
         assert (width.nominal, width.maximum) == (0.12, 0.12)
 
@@ -101,7 +97,7 @@ class TestFutsal:
 
     field = load_field("futsal")
 
-    def test_the_pitch(self) -> None:
+    def test_the_pitch(self):
         sizes = {d.name: (d.minimum, d.maximum) for d in self.field.dimensions if d.is_open}
         assert sizes == {"length": (25.0, 42.0), "width": (16.0, 25.0)}
         assert line(self.field, "Touchline near") == Line((-20, 10, 0), (20, 10, 0))
@@ -111,7 +107,7 @@ class TestFutsal:
         assert circle.radius == 3.0
         assert {e.line_width for e in self.field.elements if e.on_ground} == {0.08, 0.0}
 
-    def test_penalty_areas_are_six_metres_about_the_outside_of_the_posts(self) -> None:
+    def test_penalty_areas_are_six_metres_about_the_outside_of_the_posts(self):
         for side, sign in SIDES:
             name = f"Penalty area line {side}"
             chain = geometry(self.field, name)
@@ -125,7 +121,7 @@ class TestFutsal:
                 assert np.linalg.norm(place - post) == pytest.approx(6.0, abs=CENTIMETRE)
                 assert abs(place[0]) <= 20 + 1e-9
 
-    def test_marks_and_goals(self) -> None:
+    def test_marks_and_goals(self):
         for side, sign in SIDES:
             assert geometry(self.field, f"Penalty mark {side}") == Spot((sign * 14, 0, 0))
             assert geometry(self.field, f"Second penalty mark {side}") == Spot((sign * 10, 0, 0))
@@ -138,12 +134,12 @@ class TestFutsal:
                 arc = geometry(self.field, f"Corner arc {side} {row}")
                 assert length_of(arc) == pytest.approx(0.25 * math.pi / 2)
 
-    def test_substitution_zones_are_five_metres_from_the_halfway_line(self) -> None:
+    def test_substitution_zones_are_five_metres_from_the_halfway_line(self):
         zones = [e.geometry for e in self.field.elements if e.group == "Substitution zones"]
         assert sorted(middle_of(z)[0] for z in zones) == [-10, -10, -5, -5, 5, 5, 10, 10]
         assert all(length_of(z) == pytest.approx(0.8) for z in zones)
 
-    def test_the_smallest_pitch_still_holds_its_penalty_areas(self) -> None:
+    def test_the_smallest_pitch_still_holds_its_penalty_areas(self):
         small = load_field("futsal", length=25, width=16)
         assert np.abs(places(small, "Penalty area line left")[:, 1]).max() <= 8.0
 
@@ -156,7 +152,7 @@ class TestHandball:
     @pytest.mark.parametrize(
         ("name", "radius"), [("Goal-area line", 6.0), ("Free-throw line", 9.0)]
     )
-    def test_curves_keep_their_distance_from_the_posts(self, name, radius) -> None:
+    def test_curves_keep_their_distance_from_the_posts(self, name, radius):
         for side, sign in SIDES:
             chain = geometry(self.field, f"{name} {side}")
             straight = parts_of(chain)[1]
@@ -166,7 +162,7 @@ class TestHandball:
                 post = np.array([sign * 20, np.clip(place[1], -1.5, 1.5), 0])
                 assert np.linalg.norm(place - post) == pytest.approx(radius, abs=CENTIMETRE)
 
-    def test_curves_end_at_the_goal_line_and_at_the_side_lines(self) -> None:
+    def test_curves_end_at_the_goal_line_and_at_the_side_lines(self):
         for side, sign in SIDES:
             ends = places(self.field, f"Goal-area line {side}")[[0, -1]]
             assert np.allclose(ends, [[sign * 20, -7.5, 0], [sign * 20, 7.5, 0]])
@@ -174,7 +170,7 @@ class TestHandball:
             away = 20 - math.sqrt(9**2 - 8.5**2)
             assert np.allclose(ends, [[sign * away, -10, 0], [sign * away, 10, 0]])
 
-    def test_short_lines_and_goals(self) -> None:
+    def test_short_lines_and_goals(self):
         for side, sign in SIDES:
             for name, away, length in (("7-metre line", 7, 1.0), ("4-metre line", 4, 0.15)):
                 found = geometry(self.field, f"{name} {side}")
@@ -192,7 +188,7 @@ class TestHandball:
                 assert middle_of(mark) == pytest.approx((sign * 4.5, ahead * 10, 0))
                 assert length_of(mark) == pytest.approx(0.3)
 
-    def test_the_court_has_one_size_and_lines_of_five_centimetres(self) -> None:
+    def test_the_court_has_one_size_and_lines_of_five_centimetres(self):
         assert {d.name for d in self.field.dimensions if d.is_open} == set()
         assert line(self.field, "Side line far") == Line((-20, -10, 0), (20, -10, 0))
         assert {e.line_width for e in self.field.elements if e.on_ground} == {0.05}
@@ -212,7 +208,7 @@ class TestAthletics:
 
     field = load_field("athletics")
 
-    def test_a_lap_of_lane_one_is_400_metres(self) -> None:
+    def test_a_lap_of_lane_one_is_400_metres(self):
         kerb = geometry(self.field, "Kerb")
         straights = [p for p in parts_of(kerb) if isinstance(p, Line)]
         bends = [p for p in parts_of(kerb) if isinstance(p, Arc)]
@@ -222,7 +218,7 @@ class TestAthletics:
         lap = sum(map(length_of, straights)) + sum((p.radius + 0.30) * math.pi for p in bends)
         assert lap == pytest.approx(400.00, abs=CENTIMETRE)
 
-    def test_lanes_are_as_wide_as_the_rules_say(self) -> None:
+    def test_lanes_are_as_wide_as_the_rules_say(self):
         for lane in LANES:
             edges = [
                 parts_of(geometry(self.field, name))[1]
@@ -231,7 +227,7 @@ class TestAthletics:
             inner, outer = (e.radius for e in edges if isinstance(e, Arc))
             assert outer - inner == pytest.approx(LANE)
 
-    def test_the_finish_and_the_straight_starts(self) -> None:
+    def test_the_finish_and_the_straight_starts(self):
         finish = middle_of(geometry(self.field, "Finish line"))
         assert length_of(geometry(self.field, "Finish line")) == pytest.approx(8 * LANE)
         for name, away in (("100 m start", 100.0), ("110 m start", 110.0)):
@@ -241,19 +237,19 @@ class TestAthletics:
         assert not painted_towards(self.field, "Finish line", 0.0, finish[1])
 
     @pytest.mark.parametrize(("race", "bends"), [(200, 1), (400, 2)])
-    def test_starts_in_lanes_are_that_far_from_the_finish(self, race, bends) -> None:
+    def test_starts_in_lanes_are_that_far_from_the_finish(self, race, bends):
         for lane in range(1 if race == 200 else 2, 9):
             angle = self.angle_of_start(race, lane)
             run = run_radius(lane) * (angle + (bends - 1) * math.pi) + bends * STRAIGHT
             assert run == pytest.approx(race, abs=CENTIMETRE), lane
 
-    def test_staggers_of_the_800_metres_are_those_of_the_manual(self) -> None:
+    def test_staggers_of_the_800_metres_are_those_of_the_manual(self):
         manual = (3.526, 7.384, 11.259, 15.151, 19.061, 22.989, 26.933)
         for lane, expected in zip(LANES[1:], manual, strict=True):
             stagger = run_radius(lane) * (math.pi - self.angle_of_start(800, lane))
             assert stagger == pytest.approx(expected, abs=CENTIMETRE), lane
 
-    def test_common_starts_are_equally_far_from_everywhere(self) -> None:
+    def test_common_starts_are_equally_far_from_everywhere(self):
         for name, begin, centre in (
             ("10,000 m start", math.pi / 2, STRAIGHT / 2),
             ("5000 m start", 3 * math.pi / 2, -STRAIGHT / 2),
@@ -268,7 +264,7 @@ class TestAthletics:
             assert np.abs(tangent - 36.80 * touched).max() < CENTIMETRE
             assert painted_beyond(self.field, name)
 
-    def test_from_all_of_the_break_line_the_next_bend_is_equally_far(self) -> None:
+    def test_from_all_of_the_break_line_the_next_bend_is_equally_far(self):
         ways = []
         for x, y, _ in places(self.field, "Break line"):
             away = math.hypot(x + STRAIGHT / 2, y)

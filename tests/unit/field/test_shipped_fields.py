@@ -4,8 +4,6 @@ The floors and the few elements that reach over the field's edge are listed here
 another field adds a line where it has one.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from functools import cache
@@ -92,12 +90,12 @@ def colours_apart(one: str, other: str) -> float:
     return float(np.linalg.norm(lab(one) - lab(other)))
 
 
-def test_the_default_field_is_shipped() -> None:
+def test_the_default_field_is_shipped():
     assert default_field_name() in NAMES
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_field_says_what_it_is_and_where_it_comes_from(name) -> None:
+def test_a_field_says_what_it_is_and_where_it_comes_from(name):
     field = load_field(name)
     assert field.name == name
     assert field.title.strip()
@@ -108,7 +106,7 @@ def test_a_field_says_what_it_is_and_where_it_comes_from(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_people_can_tell_elements_apart(name) -> None:
+def test_people_can_tell_elements_apart(name):
     """Names, titles and keys are unique; so are the colours of a group."""
     field = load_field(name)
     for texts in (
@@ -124,7 +122,7 @@ def test_people_can_tell_elements_apart(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_colours_are_seen_on_the_floor(name) -> None:
+def test_colours_are_seen_on_the_floor(name):
     floor = FLOORS.get(name, WOOD)
     for element in load_field(name).elements:
         if element.on_ground:
@@ -132,14 +130,14 @@ def test_colours_are_seen_on_the_floor(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_keys_reach_what_a_set_has_to_have(name) -> None:
+def test_keys_reach_what_a_set_has_to_have(name):
     field = load_field(name)
     needed = [e for e in field.elements if not e.optional]
     assert sum(bool(e.shortcut) for e in needed) >= min(len(needed), 20)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_legal_size_loads_centred_on_the_field(name) -> None:
+def test_every_legal_size_loads_centred_on_the_field(name):
     for field in sizes(name):
         length, width = sides(field)
         assert length >= width
@@ -158,7 +156,7 @@ def test_every_legal_size_loads_centred_on_the_field(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_nothing_lies_below_the_ground_or_in_the_clouds(name) -> None:
+def test_nothing_lies_below_the_ground_or_in_the_clouds(name):
     for field in sizes(name):
         for element in field.elements:
             z = outline_of(element.geometry)[:, 2]
@@ -167,7 +165,7 @@ def test_nothing_lies_below_the_ground_or_in_the_clouds(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_symmetry_maps_the_geometry_onto_itself(name) -> None:
+def test_every_symmetry_maps_the_geometry_onto_itself(name):
     for field in sizes(name):
         samples = sample_evenly(field, 1.0)
         for symmetry in field.symmetries:
@@ -182,7 +180,7 @@ def test_every_symmetry_maps_the_geometry_onto_itself(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_field_lists_the_symmetries_it_has(name) -> None:
+def test_a_field_lists_the_symmetries_it_has(name):
     field = load_field(name)
     listed = {round(math.degrees(s.turn_rad)) for s in field.symmetries}
     needed = [e for e in field.elements if not e.optional]
@@ -197,7 +195,7 @@ def test_a_field_lists_the_symmetries_it_has(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_partners_are_alike(name) -> None:
+def test_partners_are_alike(name):
     """An element and what it becomes: the same paint on the same side, both optional or neither."""
     field = load_field(name)
     for symmetry in field.symmetries:
@@ -214,7 +212,7 @@ def test_partners_are_alike(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name) -> None:
+def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name):
     for element in load_field(name).elements:
         if element.inside is not None:
             assert side_of(element.geometry, np.array(element.inside)) != 0, element.name
@@ -223,7 +221,7 @@ def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_lines_follow_the_width_that_is_chosen(name) -> None:
+def test_the_lines_follow_the_width_that_is_chosen(name):
     """A line width that the rules leave open moves no element, it only changes the paint."""
     field = load_field(name)
     width = field.dimension("line_width")

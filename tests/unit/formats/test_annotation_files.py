@@ -1,7 +1,5 @@
 """SoccerNet annotation files: nothing changes on the way through, damage is named."""
 
-from __future__ import annotations
-
 import json
 import math
 
@@ -36,7 +34,7 @@ def problem(text: str | bytes) -> str:
     return message
 
 
-def test_order_outside_points_empty_lists_and_unknown_classes_are_kept() -> None:
+def test_order_outside_points_empty_lists_and_unknown_classes_are_kept():
     text = (
         '{"Line unknown": [{"x": -0.25, "y": 1.5}], "Circle left": [],'
         ' "Corner flag": [{"x": 1, "y": 0.1}]}'
@@ -47,7 +45,7 @@ def test_order_outside_points_empty_lists_and_unknown_classes_are_kept() -> None
     assert json.loads(write_annotation(annotation)) == json.loads(text)
 
 
-def test_the_missing_trailing_space_is_accepted_and_the_official_spelling_written() -> None:
+def test_the_missing_trailing_space_is_accepted_and_the_official_spelling_written():
     annotation = read('{"Goal left post left": [{"x": 0.5, "y": 0.5}]}')
     assert annotation.annotated == (POST,)
     assert POST in json.loads(write_annotation(annotation))
@@ -62,25 +60,25 @@ def test_the_missing_trailing_space_is_accepted_and_the_official_spelling_writte
         "{}",
     ],
 )
-def test_keys_we_do_not_know_are_written_back(text) -> None:
+def test_keys_we_do_not_know_are_written_back(text):
     annotation = read(text)
     assert json.loads(write_annotation(annotation)) == json.loads(text)
     assert read(write_annotation(annotation)) == annotation
 
 
-def test_a_value_without_meaning_to_us_may_be_anything_python_writes() -> None:
+def test_a_value_without_meaning_to_us_may_be_anything_python_writes():
     annotation = read('{"score": NaN, "Circle left": [{"x": 0.5, "y": 0.5}]}')
     assert annotation.annotated == ("Circle left",)
     assert b'"score": NaN' in write_annotation(annotation)
 
 
-def test_whole_numbers_stay_whole() -> None:
+def test_whole_numbers_stay_whole():
     text = '{"Circle left": [{"x": 0, "y": 1.0}, {"x": -0.0, "y": 654321}]}'
     written = write_annotation(read(text)).decode()
     assert '{"x": 0, "y": 1.0}, {"x": -0.0, "y": 654321}' in written
 
 
-def test_what_nobody_could_read_again_is_not_written() -> None:
+def test_what_nobody_could_read_again_is_not_written():
     broken = FrameAnnotation((Polyline("Circle left", (Point(math.nan, 0.5),)),))
     with pytest.raises(ValueError, match="not finite"):
         write_annotation(broken)
@@ -92,7 +90,7 @@ classes = st.sampled_from([e.name for e in FIELD.elements] + ["Line unknown", "E
 
 
 @given(st.dictionaries(classes, points, max_size=8))
-def test_a_round_trip_changes_no_number(content) -> None:
+def test_a_round_trip_changes_no_number(content):
     written = write_annotation(read(json.dumps(content)))
     assert json.loads(written) == content
     assert list(json.loads(written)) == list(content)
@@ -144,15 +142,15 @@ def test_a_round_trip_changes_no_number(content) -> None:
         ('{"meta":' * 100_000, "nested too deeply"),
     ],
 )
-def test_damage_is_one_line_with_its_place(text, expected) -> None:
+def test_damage_is_one_line_with_its_place(text, expected):
     assert expected in problem(text)
 
 
-def test_a_byte_order_mark_is_accepted() -> None:
+def test_a_byte_order_mark_is_accepted():
     assert read(b'\xef\xbb\xbf{"Circle left": [{"x": 0, "y": 1}]}').annotated == ("Circle left",)
 
 
-def test_every_real_annotation_comes_back_number_for_number(shared_data) -> None:
+def test_every_real_annotation_comes_back_number_for_number(shared_data):
     files = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
     files += sorted((shared_data / "official_cases" / "annotations").glob("*.json"))
     assert len(files) > 300
@@ -162,13 +160,13 @@ def test_every_real_annotation_comes_back_number_for_number(shared_data) -> None
 
 
 @given(st.data())
-def test_a_file_cut_off_anywhere_is_an_error(data) -> None:
+def test_a_file_cut_off_anywhere_is_an_error(data):
     whole = write_annotation(read('{"Circle left": [{"x": 0.25, "y": 1}], "a:b": []}')).rstrip()
     assert problem(whole[: data.draw(st.integers(0, len(whole) - 1))])
 
 
 @given(st.binary(max_size=40))
-def test_no_bytes_raise_anything_but_the_named_error(data) -> None:
+def test_no_bytes_raise_anything_but_the_named_error(data):
     try:
         found = read(data)
     except AnnotationError:
@@ -178,14 +176,14 @@ def test_no_bytes_raise_anything_but_the_named_error(data) -> None:
 
 
 @given(x=st.floats(-100, 5000), y=st.floats(-100, 5000))
-def test_pixels_and_normalised_points_are_inverse(x, y) -> None:
+def test_pixels_and_normalised_points_are_inverse(x, y):
     size = (1280, 720)
     back = points_px(Polyline("a", (point_from_px(x, y, size),)), size)[0]
     assert math.isclose(back[0], x, abs_tol=1e-9)
     assert math.isclose(back[1], y, abs_tol=1e-9)
 
 
-def test_the_last_column_is_one() -> None:
+def test_the_last_column_is_one():
     assert points_px(Polyline("a", (Point(1, 1), Point(0, 0))), (960, 540)).tolist() == [
         [959, 539],
         [0, 0],
@@ -217,7 +215,7 @@ place = st.tuples(position, position)
 
 
 @given(place, place, st.floats(1, 20))
-def test_pixels_within_half_the_width_are_the_line(a, b, width) -> None:
+def test_pixels_within_half_the_width_are_the_line(a, b, width):
     mask = masks.draw_mask([polyline(A, a, b)], {A: 7}, SIZE, width)
     points = polyline(A, a, b).points
     exact = [(p.u * (SIZE[0] - 1), p.v * (SIZE[1] - 1)) for p in points]
@@ -227,18 +225,18 @@ def test_pixels_within_half_the_width_are_the_line(a, b, width) -> None:
     assert set(np.unique(mask)) <= {0, 7}
 
 
-def test_points_a_million_pictures_away_are_drawn_to_the_border() -> None:
+def test_points_a_million_pictures_away_are_drawn_to_the_border():
     far = Polyline(A, (Point(-1e6, 30 / 59), Point(1e6, 30 / 59)))
     mask = masks.draw_mask([far], {A: 1}, SIZE, 2.9)
     assert mask.sum(axis=1).tolist() == [SIZE[0] if 29 <= y <= 31 else 0 for y in range(SIZE[1])]
 
 
-def test_a_single_point_is_a_dot() -> None:
+def test_a_single_point_is_a_dot():
     mask = masks.draw_mask([polyline(A, (10, 20))], {A: 1}, SIZE, 3.1)
     assert np.argwhere(mask).tolist() == [[y, x] for y in (19, 20, 21) for x in (9, 10, 11)]
 
 
-def test_the_order_of_the_file_does_not_matter() -> None:
+def test_the_order_of_the_file_does_not_matter():
     lines = [polyline(A, (0, 30), (79, 30)), polyline(B, (40, 0), (40, 59))]
     values = {A: 1, B: 2}
     first = masks.draw_mask(lines, values, SIZE, 4)
@@ -246,7 +244,7 @@ def test_the_order_of_the_file_does_not_matter() -> None:
     assert first[30, 40] == 2
 
 
-def test_files_and_legend() -> None:
+def test_files_and_legend():
     written: dict[str, bytes] = {}
 
     def put(name: str, data: bytes) -> bool:
@@ -274,7 +272,7 @@ def test_files_and_legend() -> None:
     assert "what lies outside the picture is not in its mask (1 frame: 7)" in told
 
 
-def test_more_classes_than_grey_values_are_told() -> None:
+def test_more_classes_than_grey_values_are_told():
     many = tuple(polyline(f"class {i}", (0, 0), (9, 9)) for i in range(300))
     writing = WriteContext(SOCCER, lambda name, data: True)
     masks.write_many([ExchangedFrame("7", FrameAnnotation(many), SIZE)], writing)
@@ -283,7 +281,7 @@ def test_more_classes_than_grey_values_are_told() -> None:
 
 
 @pytest.mark.parametrize("width", [0, 0.5, 201, float("nan")])
-def test_widths_that_cannot_be_drawn(width) -> None:
+def test_widths_that_cannot_be_drawn(width):
     from procc_annotator.errors import UsageError
 
     with pytest.raises(UsageError, match="line width"):

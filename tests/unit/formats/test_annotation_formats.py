@@ -1,7 +1,5 @@
 """Every two-way format gives back what it was given: real frames, and any other."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from xml.etree import ElementTree
@@ -71,7 +69,7 @@ def real_frames(shared_data) -> dict[str, bytes]:
     ],
 )
 @TWO_WAY
-def test_real_frames_come_back_to_the_last_digit(name, count, held, real_frames, tmp_path) -> None:
+def test_real_frames_come_back_to_the_last_digit(name, count, held, real_frames, tmp_path):
     real_frames = dict(sorted(real_frames.items())[:count])
     frames = [
         ExchangedFrame(n, read_annotation(d, path=n, field=SOCCER), SIZE, f"{n}.jpg")
@@ -97,7 +95,7 @@ def test_real_frames_come_back_to_the_last_digit(name, count, held, real_frames,
 
 
 @given(st.floats(-1e6, 1e6), st.integers(1, 20_000))
-def test_a_coordinate_survives_pixels_exactly(u, extent) -> None:
+def test_a_coordinate_survives_pixels_exactly(u, extent):
     text = number_text(to_px(u, extent))
     back = normalised(parse_number(text), extent)
     if abs(u) > 1e-20 or u == 0:
@@ -107,17 +105,17 @@ def test_a_coordinate_survives_pixels_exactly(u, extent) -> None:
 
 
 @given(st.floats(-10, 10), st.integers(1, 20_000))
-def test_other_programs_read_the_same_pixel(u, extent) -> None:
+def test_other_programs_read_the_same_pixel(u, extent):
     """What does not fit a float is rounded by them to the nearest one."""
     assert float(number_text(to_px(u, extent))) == pytest.approx(u * extent, rel=1e-15, abs=1e-300)
 
 
-def test_whole_numbers_stay_whole() -> None:
+def test_whole_numbers_stay_whole():
     assert number_text(to_px(1, 1279)) == "1279"
 
 
 @pytest.mark.parametrize("extent", [959, 719, 1919])
-def test_pixels_of_few_digits_are_written_with_these_digits(extent) -> None:
+def test_pixels_of_few_digits_are_written_with_these_digits(extent):
     for px in (*map(float, range(extent)), 0.1, 333.3, 500.125, 611.2345678):
         assert number_text(to_px(normalised(px, extent), extent)) == repr(px)
     assert type(normalised(1279, 1279)) is int
@@ -128,11 +126,11 @@ def test_pixels_of_few_digits_are_written_with_these_digits(extent) -> None:
     "text",
     ["1e999999999", "1.00000000000000000001e999999", "0." + "0" * 400 + "1", "1." + "1" * 100_000],
 )
-def test_numbers_made_to_hurt_take_no_time(text) -> None:
+def test_numbers_made_to_hurt_take_no_time(text):
     assert type(parse_number(text)) is float
 
 
-def test_longer_numbers_reach_the_file() -> None:
+def test_longer_numbers_reach_the_file():
     number = parse_number("290.21008824709182600")
     assert isinstance(number, WrittenNumber)
     assert json_text({"a": [number]}, 0) == '{"a": [290.21008824709182600]}'
@@ -161,7 +159,7 @@ def annotations(draw: st.DrawFn) -> FrameAnnotation:
 @TWO_WAY
 @settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(annotations(), st.tuples(st.integers(2, 4000), st.integers(2, 4000)))
-def test_any_annotation_comes_back(name, tmp_path_factory, annotation, size) -> None:
+def test_any_annotation_comes_back(name, tmp_path_factory, annotation, size):
     folder = tmp_path_factory.mktemp("any") / "set"
     writing = write(name, [ExchangedFrame("7", annotation, size, "7.png")], folder)
     back, reading = read(folder, name)
@@ -196,7 +194,7 @@ PLAIN_POINTS = (Point(0.1, 0.2), Point(0.5, 0.25))
         ("cvat", False, False, False),
     ],
 )
-def test_what_a_format_cannot_hold_is_told(name, point_keys, empty, extra, tmp_path) -> None:
+def test_what_a_format_cannot_hold_is_told(name, point_keys, empty, extra, tmp_path):
     writing = write(name, [ExchangedFrame("1", RICH, SIZE, "1.jpg")], tmp_path / "set")
     back = read(tmp_path / "set")[0]["1"].annotation
     told = " ".join(writing.remarks.lines())
@@ -213,7 +211,7 @@ def test_what_a_format_cannot_hold_is_told(name, point_keys, empty, extra, tmp_p
 @pytest.mark.parametrize(
     "name", ["soccernet-v3", "labelme", "cvat", TRACKS, "coco", "yolo-pose", "masks"]
 )
-def test_a_frame_without_a_size_is_left_out_and_told(name, tmp_path) -> None:
+def test_a_frame_without_a_size_is_left_out_and_told(name, tmp_path):
     frames = [ExchangedFrame("1", RICH), ExchangedFrame("2", RICH, SIZE)]
     writing = write(name, frames, tmp_path / "set")
     assert writing.frames == 1
@@ -221,7 +219,7 @@ def test_a_frame_without_a_size_is_left_out_and_told(name, tmp_path) -> None:
     assert problem.startswith("1: not written: the size of its picture is not known")
 
 
-def test_numbered_classes_are_one_class_again_where_several_may_be(tmp_path) -> None:
+def test_numbered_classes_are_one_class_again_where_several_may_be(tmp_path):
     names = ("Line unknown", "Line unknown (2)", "Line unknown (4)", "odd (2)")
     annotation = FrameAnnotation(tuple(Polyline(n, PLAIN_POINTS) for n in names))
     for name in ("soccernet-v3", "labelme", "cvat", "coco"):
@@ -238,20 +236,20 @@ def test_numbered_classes_are_one_class_again_where_several_may_be(tmp_path) -> 
 
 
 @TWO_WAY
-def test_formats_are_told_by_their_content(name, tmp_path) -> None:
+def test_formats_are_told_by_their_content(name, tmp_path):
     write(name, [ExchangedFrame("1", RICH, SIZE)], tmp_path / "set")
     with open_source(tmp_path / "set") as source:
         assert find_annotations(source)[0].name == name
 
 
-def test_a_folder_of_two_formats_asks_which(tmp_path) -> None:
+def test_a_folder_of_two_formats_asks_which(tmp_path):
     write("labelme", [ExchangedFrame("1", RICH, SIZE)], tmp_path / "set")
     (tmp_path / "set" / "2.json").write_bytes(write_annotation(RICH))
     with open_source(tmp_path / "set") as source, pytest.raises(UsageError, match="several"):
         find_annotations(source)
 
 
-def test_masks_are_not_read(tmp_path) -> None:
+def test_masks_are_not_read(tmp_path):
     write("masks", [ExchangedFrame("1", RICH, SIZE)], tmp_path / "set")
     with (
         open_source(tmp_path / "set") as source,
@@ -260,7 +258,7 @@ def test_masks_are_not_read(tmp_path) -> None:
         find_annotations(source, "masks")
 
 
-def test_every_format_says_what_it_keeps() -> None:
+def test_every_format_says_what_it_keeps():
     assert len({f.name for f in FORMATS}) == len(FORMATS) == 9
     assert all(f.title and f.holds and f.loses for f in FORMATS)
 
@@ -268,7 +266,7 @@ def test_every_format_says_what_it_keeps() -> None:
 # ------------------------------------------------------------------------------------- readers
 
 
-def test_coco_is_what_its_readers_expect(tmp_path) -> None:
+def test_coco_is_what_its_readers_expect(tmp_path):
     """What pycocotools indexes, and the lengths that keypoint evaluation relies on."""
     more = FrameAnnotation((Polyline("Middle line", (Point(0.5, 0.5), Point(0.5, 1.5))),))
     frames = [ExchangedFrame("1", RICH, SIZE, "1.jpg"), ExchangedFrame("2", more, SIZE, "2.jpg")]
@@ -299,7 +297,7 @@ def test_coco_is_what_its_readers_expect(tmp_path) -> None:
         )
 
 
-def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path) -> None:
+def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path):
     annotation = FrameAnnotation(
         (
             Polyline("Goal left post left ", PLAIN_POINTS),
@@ -325,7 +323,7 @@ def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path) -> None:
     ]
 
 
-def test_soccernets_loader_finds_its_keys(tmp_path) -> None:
+def test_soccernets_loader_finds_its_keys(tmp_path):
     """``dataloader.py`` joins UrlLocal to its folder, and walks list_actions and their replays."""
     write("soccernet-v3", [ExchangedFrame("1", RICH, SIZE, "1.jpg")], tmp_path / "set")
     content = json.loads((tmp_path / "set" / "Labels-v3.json").read_text())
@@ -340,7 +338,7 @@ def of_frame(*names: str) -> FrameAnnotation:
     return FrameAnnotation(tuple(Polyline(name, PLAIN_POINTS) for name in names))
 
 
-def test_frames_of_a_video_come_back_from_tracks(tmp_path) -> None:
+def test_frames_of_a_video_come_back_from_tracks(tmp_path):
     """What is annotated in one frame is not seen in the next, unless it is annotated there."""
     point = FrameAnnotation((Polyline("Middle line", PLAIN_POINTS[:1]),))
     annotations = {
@@ -366,7 +364,7 @@ def test_frames_of_a_video_come_back_from_tracks(tmp_path) -> None:
     assert {name: frame.annotation for name, frame in back.items()} == annotations
 
 
-def test_pictures_of_a_task_are_counted_in_the_order_of_their_names(tmp_path) -> None:
+def test_pictures_of_a_task_are_counted_in_the_order_of_their_names(tmp_path):
     annotations = {name: of_frame("Middle line", klass) for name, klass in (
         ("2", "Side line top"), ("10", "Side line left"), ("b", "Circle left"),
     )}  # fmt: skip
@@ -386,7 +384,7 @@ def test_pictures_of_a_task_are_counted_in_the_order_of_their_names(tmp_path) ->
         assert "there are 1 pictures" in few.problems[0]
 
 
-def test_tracks_over_pictures_in_several_folders_keep_these(tmp_path) -> None:
+def test_tracks_over_pictures_in_several_folders_keep_these(tmp_path):
     pictures = ["a/1.jpg", "a/2.jpg", "b/1.jpg"]
     annotations = {name.removesuffix(".jpg"): RICH for name in pictures}
     frames = [ExchangedFrame(n, a, SIZE, f"{n}.jpg") for n, a in annotations.items()]
@@ -398,7 +396,7 @@ def test_tracks_over_pictures_in_several_folders_keep_these(tmp_path) -> None:
         assert [f.name for f in known.read(source, files, reading)] == list(annotations)
 
 
-def test_what_cvat_interpolated_counts_where_a_person_set_something(tmp_path) -> None:
+def test_what_cvat_interpolated_counts_where_a_person_set_something(tmp_path):
     shapes = {
         "Middle line": [(0, 1), (1, 0), (2, 0), (3, 1)],
         "Side line top": [(0, 1), (1, 0), (2, 1), (3, 0)],
@@ -425,7 +423,7 @@ def test_what_cvat_interpolated_counts_where_a_person_set_something(tmp_path) ->
     assert "taken as they are (2 frames: a_000002, a_000003)" in told
 
 
-def test_a_video_has_pictures_of_one_size(tmp_path) -> None:
+def test_a_video_has_pictures_of_one_size(tmp_path):
     frames = [ExchangedFrame("1", RICH, SIZE), ExchangedFrame("2", RICH, (64, 36))]
     writing = write(TRACKS, frames, tmp_path / "set")
     assert writing.frames == 1
@@ -435,7 +433,7 @@ def test_a_video_has_pictures_of_one_size(tmp_path) -> None:
 # ------------------------------------------------------------------------------------- YOLO
 
 
-def test_yolo_pose_is_what_its_readers_ask_for(tmp_path) -> None:
+def test_yolo_pose_is_what_its_readers_ask_for(tmp_path):
     """As many columns in every line, and nothing outside 0..1."""
     outside = FrameAnnotation((
         Polyline("Middle line", (Point(-0.2, 0.5), Point(0.25, 0.5), Point(1, 1))),

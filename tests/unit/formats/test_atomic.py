@@ -1,7 +1,5 @@
 """A save either happened or did not: at every point of failure the old file is whole."""
 
-from __future__ import annotations
-
 import errno
 import os
 import stat
@@ -14,7 +12,7 @@ from procc_annotator.formats.atomic import open_replacing, sibling_path, try_loc
 
 
 @pytest.mark.parametrize("step", ["access", "open", "fdopen", "fchmod", "fsync", "replace"])
-def test_a_failure_at_any_step_leaves_the_old_file(tmp_path, monkeypatch, step) -> None:
+def test_a_failure_at_any_step_leaves_the_old_file(tmp_path, monkeypatch, step):
     path = tmp_path / "1.json"
     path.write_bytes(b"old")
 
@@ -36,7 +34,7 @@ class _FullDisk:
     def __init__(self, file: Any) -> None:
         self.file = file
 
-    def __enter__(self) -> _FullDisk:
+    def __enter__(self):
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -51,7 +49,7 @@ class _FullDisk:
         raise OSError(errno.ENOSPC, "No space left on device")
 
 
-def test_a_disk_that_fills_up_in_the_middle(tmp_path, monkeypatch) -> None:
+def test_a_disk_that_fills_up_in_the_middle(tmp_path, monkeypatch):
     path = tmp_path / "1.json"
     path.write_bytes(b"old")
     fdopen = os.fdopen
@@ -63,7 +61,7 @@ def test_a_disk_that_fills_up_in_the_middle(tmp_path, monkeypatch) -> None:
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_an_interruption_leaves_no_temporary_file(tmp_path, monkeypatch) -> None:
+def test_an_interruption_leaves_no_temporary_file(tmp_path, monkeypatch):
     path = tmp_path / "1.json"
     path.write_bytes(b"old")
 
@@ -78,7 +76,7 @@ def test_an_interruption_leaves_no_temporary_file(tmp_path, monkeypatch) -> None
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_folder_that_cannot_be_synced_does_not_fail_the_save(tmp_path, monkeypatch) -> None:
+def test_a_folder_that_cannot_be_synced_does_not_fail_the_save(tmp_path, monkeypatch):
     fsync = os.fsync
 
     def files_only(descriptor: int) -> None:
@@ -92,7 +90,7 @@ def test_a_folder_that_cannot_be_synced_does_not_fail_the_save(tmp_path, monkeyp
     assert (tmp_path / "1.json").read_bytes() == b"new"
 
 
-def test_a_write_protected_file_is_not_replaced(tmp_path, monkeypatch) -> None:
+def test_a_write_protected_file_is_not_replaced(tmp_path, monkeypatch):
     path = tmp_path / "1.json"
     path.write_bytes(b"old")
     path.chmod(0o444)
@@ -104,19 +102,19 @@ def test_a_write_protected_file_is_not_replaced(tmp_path, monkeypatch) -> None:
     assert path.read_bytes() == b"old"
 
 
-def test_the_longest_file_name_can_be_saved(tmp_path) -> None:
+def test_the_longest_file_name_can_be_saved(tmp_path):
     path = tmp_path / ("n" * 250 + ".json")
     write_atomic(path, b"new")
     assert path.read_bytes() == b"new"
 
 
-def test_a_failed_first_save_leaves_nothing(tmp_path) -> None:
+def test_a_failed_first_save_leaves_nothing(tmp_path):
     with pytest.raises(SaveError, match="No such file or directory"):
         write_atomic(tmp_path / "absent" / "1.json", b"new")
     assert list(tmp_path.iterdir()) == []
 
 
-def test_permissions_are_kept_and_links_followed(tmp_path) -> None:
+def test_permissions_are_kept_and_links_followed(tmp_path):
     target = tmp_path / "real.json"
     target.write_bytes(b"old")
     target.chmod(0o640)
@@ -128,14 +126,14 @@ def test_permissions_are_kept_and_links_followed(tmp_path) -> None:
     assert stat.S_IMODE(target.stat().st_mode) == 0o640
 
 
-def test_a_folder_in_the_way_is_said(tmp_path) -> None:
+def test_a_folder_in_the_way_is_said(tmp_path):
     (tmp_path / "1.json").mkdir()
     with pytest.raises(SaveError, match="could not be saved"):
         write_atomic(tmp_path / "1.json", b"new")
     assert [p.name for p in tmp_path.iterdir()] == ["1.json"]
 
 
-def test_a_stream_that_is_broken_off_leaves_the_old_file(tmp_path) -> None:
+def test_a_stream_that_is_broken_off_leaves_the_old_file(tmp_path):
     path = tmp_path / "scores.json"
     path.write_text("old")
 
@@ -150,7 +148,7 @@ def test_a_stream_that_is_broken_off_leaves_the_old_file(tmp_path) -> None:
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_what_killed_processes_left_is_removed(tmp_path) -> None:
+def test_what_killed_processes_left_is_removed(tmp_path):
     left, young, locked, other = (
         tmp_path / f".procc-{name}" for name in ("1.tmp", "2.tmp", "3.tmp", "4.json")
     )
@@ -164,7 +162,7 @@ def test_what_killed_processes_left_is_removed(tmp_path) -> None:
     assert sorted(tmp_path.glob(".procc*")) == sorted({young, locked, other} - {left})
 
 
-def test_a_name_as_long_as_it_may_be_is_written(tmp_path) -> None:
+def test_a_name_as_long_as_it_may_be_is_written(tmp_path):
     for name in ("d" * 250, "\u00e4" * 125):
         write_atomic(tmp_path / name, b"new")
         assert (tmp_path / name).read_bytes() == b"new"

@@ -1,7 +1,5 @@
 """Files that hold the cameras of many frames: alone, in folders, in archives."""
 
-from __future__ import annotations
-
 import json
 import zipfile
 from pathlib import Path
@@ -43,7 +41,7 @@ def make(folder: Path, files: dict[str, object]) -> Path:
 
 
 @pytest.mark.parametrize("fmt", ["auto", "tvcalib"])
-def test_a_container_alone_in_a_folder_and_in_an_archive(tmp_path, fmt) -> None:
+def test_a_container_alone_in_a_folder_and_in_an_archive(tmp_path, fmt):
     lines = line("00010.jpg") + line("9.jpg")
     folder = make(tmp_path / "run", {"per_sample_output.json": lines})
     for path in (folder, folder / "per_sample_output.json", zipped(folder), zipped(folder, "a/")):
@@ -57,7 +55,7 @@ def test_a_container_alone_in_a_folder_and_in_an_archive(tmp_path, fmt) -> None:
             assert found.camera == CAMERA
 
 
-def test_what_lies_beside_a_container_does_no_harm(tmp_path) -> None:
+def test_what_lies_beside_a_container_does_no_harm(tmp_path):
     folder = make(
         tmp_path / "run",
         {
@@ -77,7 +75,7 @@ def test_what_lies_beside_a_container_does_no_harm(tmp_path) -> None:
         assert "results.json" in cameras.notices[0]
 
 
-def test_several_containers_are_one_collection_unless_they_share_a_frame(tmp_path) -> None:
+def test_several_containers_are_one_collection_unless_they_share_a_frame(tmp_path):
     halves = {
         "half1.json": {"1.jpg": {"cp": SOCCERNET}},
         "half2.json": {"2.jpg": {"cp": SOCCERNET}},
@@ -91,7 +89,7 @@ def test_several_containers_are_one_collection_unless_they_share_a_frame(tmp_pat
         CameraCollection.open(folder)
 
 
-def test_one_damaged_container_among_several_is_passed_over_with_a_notice(tmp_path) -> None:
+def test_one_damaged_container_among_several_is_passed_over_with_a_notice(tmp_path):
     folder = make(
         tmp_path / "game", {"half1.json": {"1.jpg": {"cp": SOCCERNET}}, "half2.json": '{"2.jpg": {'}
     )
@@ -103,7 +101,7 @@ def test_one_damaged_container_among_several_is_passed_over_with_a_notice(tmp_pa
         CameraCollection.open(folder, "broadtrack")
 
 
-def test_cameras_keyed_by_frame(tmp_path) -> None:
+def test_cameras_keyed_by_frame(tmp_path):
     one = krt_content(CAMERA, (960, 540))
     keyed = {"b.png": one, "a": {"K": 1, "R": 2}, "c.v2": one}
     (tmp_path / "all.json").write_text(json.dumps(keyed))
@@ -130,7 +128,7 @@ def test_cameras_keyed_by_frame(tmp_path) -> None:
             cameras.read("3")
 
 
-def test_a_container_is_decoded_once(tmp_path, monkeypatch) -> None:
+def test_a_container_is_decoded_once(tmp_path, monkeypatch):
     (tmp_path / "p.json").write_text("".join(line(f"{i}.jpg") for i in range(50)))
     cameras = CameraCollection.open(tmp_path / "p.json")
     (tmp_path / "p.json").unlink()
@@ -138,7 +136,7 @@ def test_a_container_is_decoded_once(tmp_path, monkeypatch) -> None:
         assert cameras.read(frame).camera == CAMERA
 
 
-def test_of_many_files_of_one_camera_few_are_opened_to_list_them(tmp_path, monkeypatch) -> None:
+def test_of_many_files_of_one_camera_few_are_opened_to_list_them(tmp_path, monkeypatch):
     data = write_camera(CAMERA)
     for i in range(3000):
         (tmp_path / f"{i:05}.json").write_bytes(data)
@@ -156,7 +154,7 @@ def test_of_many_files_of_one_camera_few_are_opened_to_list_them(tmp_path, monke
     assert CameraCollection.open(tmp_path).read("00017").camera == CAMERA
 
 
-def test_a_file_of_several_cameras_read_as_one_says_so(tmp_path) -> None:
+def test_a_file_of_several_cameras_read_as_one_says_so(tmp_path):
     for i in range(16):
         (tmp_path / f"{i}.json").write_bytes(write_camera(CAMERA))
     (tmp_path / "16.json").write_text(line("a.jpg") + line("b.jpg"))
@@ -167,7 +165,7 @@ def test_a_file_of_several_cameras_read_as_one_says_so(tmp_path) -> None:
         cameras.read("16")
 
 
-def test_the_files_of_several_matches_belong_to_their_folders(tmp_path) -> None:
+def test_the_files_of_several_matches_belong_to_their_folders(tmp_path):
     for i in range(20):  # more than are opened to see what files hold
         make(tmp_path / f"game{i}", {"cameras.json": line("img1/1.jpg") + line("img1/2.jpg")})
     with CameraCollection.open(tmp_path) as cameras:
@@ -177,27 +175,27 @@ def test_the_files_of_several_matches_belong_to_their_folders(tmp_path) -> None:
         assert cameras.display("game3/2").endswith("game3/cameras.json: line 2")
 
 
-def test_two_files_beside_each_other_for_one_frame_say_where_they_belong(tmp_path) -> None:
+def test_two_files_beside_each_other_for_one_frame_say_where_they_belong(tmp_path):
     make(tmp_path / "cameras", {f"game{i}.json": line("1.jpg") for i in (1, 2)})
     with pytest.raises(InputError, match=r"second file for frame '1'.*\(game1/cameras\.json\)"):
         CameraCollection.open(tmp_path / "cameras")
 
 
-def test_one_file_for_a_tree_of_pictures_calls_them_by_their_paths(tmp_path) -> None:
+def test_one_file_for_a_tree_of_pictures_calls_them_by_their_paths(tmp_path):
     lines = line("a\\1.jpg") + line("b/1.jpg") + line("b/2.jpg")
     with CameraCollection.open(make(tmp_path / "run", {"all.json": lines})) as cameras:
         assert list(cameras.frames) == ["a/1", "b/1", "b/2"]
         assert cameras.read("b/1").camera == CAMERA
 
 
-def test_the_only_folder_of_a_file_of_many_cameras_is_known(tmp_path) -> None:
+def test_the_only_folder_of_a_file_of_many_cameras_is_known(tmp_path):
     make(tmp_path / "game1", {"cameras.json": line("1.jpg")})
     with CameraCollection.open(tmp_path) as cameras:
         assert list(cameras.frames) == ["1"]
         assert cameras.read("game1/1").camera == CAMERA
 
 
-def test_files_of_one_match_each_may_tell_its_folder_by_their_pictures(tmp_path) -> None:
+def test_files_of_one_match_each_may_tell_its_folder_by_their_pictures(tmp_path):
     files = {f"game{i}.json": line(f"game{i}/1.jpg") + line(f"game{i}/2.jpg") for i in (1, 2)}
     folder = make(tmp_path / "run", files)
     with CameraCollection.open(folder) as cameras:

@@ -1,7 +1,5 @@
 """Every camera format on a reproduced or real file, and damage named with its place."""
 
-from __future__ import annotations
-
 import json
 import math
 import re
@@ -49,7 +47,6 @@ FISHEYE = FisheyeCamera(
 
 
 def agree(loaded: LoadedCamera, expected: Camera, atol: float = 1e-9) -> None:
-    assert isinstance(loaded.camera, Camera)
     px, valid = loaded.camera.project(POINTS)
     expected_px, expected_valid = expected.project(POINTS)
     assert (valid == expected_valid).all()
@@ -77,7 +74,7 @@ def encoded(value: Any) -> bytes:
 
 @pytest.mark.parametrize("camera", [PINHOLE, BENT, FISHEYE])
 @pytest.mark.parametrize("fmt", ["krt", "auto"])
-def test_k_r_t_as_written_here(camera, fmt) -> None:
+def test_k_r_t_as_written_here(camera, fmt):
     loaded = read_camera_file(write_krt(camera, SIZE), path="1.json", fmt=fmt)
     agree(loaded, camera)
     assert loaded.size == SIZE
@@ -86,7 +83,7 @@ def test_k_r_t_as_written_here(camera, fmt) -> None:
     assert read_camera_file(write_krt(camera, None), path="1.json", fmt=fmt).size is None
 
 
-def test_k_r_t_in_other_spellings() -> None:
+def test_k_r_t_in_other_spellings():
     content = json.loads(write_krt(BENT, SIZE))
     flat = {
         "camera_matrix": np.array(content["K"]).ravel().tolist(),
@@ -143,7 +140,7 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
         (b'{"K":' + b"[" * 70 + b"]" * 70 + b"}", "is nested too deeply"),
     ],
 )  # fmt: skip
-def test_damage_in_k_r_t(data, expected) -> None:
+def test_damage_in_k_r_t(data, expected):
     assert expected in problem(data, "krt")
 
 
@@ -175,7 +172,7 @@ def storage(suffix: str, camera: PinholeCamera, **more: Any) -> bytes:
 
 @pytest.mark.parametrize("suffix", [".yml", ".xml"])
 @pytest.mark.parametrize("fmt", ["opencv", "auto"])
-def test_what_opencv_writes(suffix, fmt) -> None:
+def test_what_opencv_writes(suffix, fmt):
     loaded = read_camera_file(storage(suffix, BENT), path=f"1{suffix}", fmt=fmt)
     agree(loaded, BENT, 1e-7)
     assert (loaded.model, loaded.size) == ("pinhole", SIZE)
@@ -187,9 +184,7 @@ VECTORS = {"tvec": [1.0, 50.0, 20.0], "distortion_coefficients": [0.1, 0.0, 0.0,
 
 
 @pytest.mark.parametrize("suffix", [".yml", ".xml"])
-def test_vectors_as_opencv_5_writes_them(suffix) -> None:
-    own = read_camera_file(storage(suffix, BENT), path=f"1{suffix}").camera
-    assert isinstance(own, PinholeCamera)
+def test_vectors_as_opencv_5_writes_them(suffix):
     columns = {key: np.array([numbers]).T for key, numbers in VECTORS.items()}
     text = storage(suffix, BENT, **columns).decode()
     for key, numbers in VECTORS.items():
@@ -212,7 +207,7 @@ def test_vectors_as_opencv_5_writes_them(suffix) -> None:
 
 
 @pytest.mark.parametrize("camera", [PINHOLE, BENT, FISHEYE])
-def test_yaml_written_here_is_read_here_and_by_opencv(camera) -> None:
+def test_yaml_written_here_is_read_here_and_by_opencv(camera):
     data = write_opencv(camera, SIZE)
     loaded = read_camera_file(data, path="1.yml")
     agree(loaded, camera)
@@ -251,7 +246,7 @@ def yaml(old: bytes = b"", new: bytes = b"") -> bytes:
         (b"%YAML:1.0\n---\n" + b"# x\n" * 2_000_000, "is larger than 5 MB"),
     ],
 )  # fmt: skip
-def test_damage_in_opencvs_files(data, expected) -> None:
+def test_damage_in_opencvs_files(data, expected):
     assert expected in problem(data, "opencv")
 
 
@@ -268,7 +263,7 @@ def tvcalib_line(name: str, camera: PinholeCamera, **changes: Any) -> bytes:
 WORLD_FROM_IMAGE = [[0.05, 0.001, -32.0], [0.002, 0.06, -18.0], [0.0, 1e-4, 1.0]]
 
 
-def test_tvcalib_records_and_homographies(tmp_path) -> None:
+def test_tvcalib_records_and_homographies(tmp_path):
     file = tmp_path / "per_sample_output.json"
     sized = {"image_width": 1280, "image_height": 720}
     file.write_bytes(
@@ -283,7 +278,6 @@ def test_tvcalib_records_and_homographies(tmp_path) -> None:
             agree(cameras.read("00002"), PINHOLE)
             sized_one = cameras.read("10")
             assert (sized_one.model, sized_one.size) == ("homography", (1280, 720))
-            assert isinstance(sized_one.camera, Camera)
             ground = np.array([[3.0, -4.0, 0.0]])
             px, valid = sized_one.camera.project(ground)
             back = np.array(WORLD_FROM_IMAGE) @ [*px[0], 1.0]
@@ -295,7 +289,7 @@ def test_tvcalib_records_and_homographies(tmp_path) -> None:
             assert cameras.display("10") == f"{file}: line 2"
 
 
-def test_one_bad_tvcalib_record_spoils_no_other(tmp_path) -> None:
+def test_one_bad_tvcalib_record_spoils_no_other(tmp_path):
     file = tmp_path / "per_sample_output.json"
     file.write_bytes(
         tvcalib_line("1.jpg", PINHOLE)
@@ -352,7 +346,7 @@ SQUARE = PinholeCamera(
 
 
 @pytest.mark.parametrize("fmt", ["broadtrack", "auto"])
-def test_broadtracks_cameras(tmp_path, fmt) -> None:
+def test_broadtracks_cameras(tmp_path, fmt):
     file = tmp_path / "half1.json"
     damaged = broadtrack_entry(SQUARE)
     damaged["cp"]["tiltDegrees"] = None
@@ -394,7 +388,7 @@ def test_broadtracks_cameras(tmp_path, fmt) -> None:
         (b'{"1.jpg": {}, "1.jpg": {}}', "occurs twice"),
     ],
 )
-def test_damage_to_all_of_a_broadtrack_file(tmp_path, data, expected) -> None:
+def test_damage_to_all_of_a_broadtrack_file(tmp_path, data, expected):
     (tmp_path / "1.json").write_bytes(data)
     with pytest.raises(CameraError, match=expected):
         CameraCollection.open(tmp_path / "1.json", "broadtrack")
@@ -403,7 +397,7 @@ def test_damage_to_all_of_a_broadtrack_file(tmp_path, data, expected) -> None:
 # --------------------------------------------------------------------------------- deepsportradar
 
 
-def test_the_real_basketball_cameras_project_as_their_own_matrices(shared_data) -> None:
+def test_the_real_basketball_cameras_project_as_their_own_matrices(shared_data):
     worst = count = 0.0
     for name in ("val", "test"):
         file = shared_data / "deepsportradar" / f"ground_truth_{name}.json"
@@ -413,7 +407,6 @@ def test_the_real_basketball_cameras_project_as_their_own_matrices(shared_data) 
             for frame, entry in zip(cameras.frames, entries, strict=True):
                 loaded = cameras.read(frame)
                 assert (loaded.model, loaded.size) == ("pinhole", (960, 540))
-                assert isinstance(loaded.camera, PinholeCamera)
                 random = np.random.default_rng(int(frame))
                 court = random.uniform((0, 0, -300), (2800, 1500, 0), (4000, 3))  # cm
                 homogeneous = np.column_stack((court, np.ones(len(court))))
@@ -446,7 +439,7 @@ def deepsportradar(**changes: Any) -> dict[str, Any]:
     return {k: v for k, v in (entry | changes).items() if v is not ...}
 
 
-def test_a_basketball_list_with_distortion_and_damage(tmp_path) -> None:
+def test_a_basketball_list_with_distortion_and_damage(tmp_path):
     file = tmp_path / "predictions.json"
     placeholder = {"K": [1] * 9, "R": [1] * 9, "T": [0, 0, 1],
                    "P": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]}  # fmt: skip
@@ -496,7 +489,7 @@ def test_a_basketball_list_with_distortion_and_damage(tmp_path) -> None:
         (b'[{"K": [1', "may be cut off"),
     ],
 )
-def test_damage_to_all_of_a_basketball_list(tmp_path, data, expected) -> None:
+def test_damage_to_all_of_a_basketball_list(tmp_path, data, expected):
     (tmp_path / "1.json").write_bytes(data)
     with pytest.raises(CameraError, match=expected):
         CameraCollection.open(tmp_path / "1.json", "deepsportradar")
@@ -507,7 +500,7 @@ def test_damage_to_all_of_a_basketball_list(tmp_path, data, expected) -> None:
 LINE = [{"x": 0.1, "y": 0.2}, {"x": 0.5, "y": 0.25}]
 
 
-def test_polylines_belong_to_any_picture_size() -> None:
+def test_polylines_belong_to_any_picture_size():
     content = {
         "Middle line": LINE,
         "Circle central": [LINE, [{"x": 0.9, "y": 1.5}]],
@@ -539,7 +532,7 @@ def test_polylines_belong_to_any_picture_size() -> None:
         ({"Middle line": [{"x": 480, "y": 270}]}, "no point is near the picture, expected shares"),
     ],
 )
-def test_damage_in_polylines(content, expected) -> None:
+def test_damage_in_polylines(content, expected):
     assert expected in problem(encoded(content), "polylines")
 
 
@@ -555,13 +548,13 @@ def test_damage_in_polylines(content, expected) -> None:
         {"00001": {"Middle line": LINE}, "00002": {"Circle left": []}},
     ],
 )
-def test_an_annotation_is_never_taken_for_a_camera(content) -> None:
+def test_an_annotation_is_never_taken_for_a_camera(content):
     said = problem(encoded(content), "auto")
     assert "holds points of classes, not a camera (annotations are no cameras" in said
     assert "camera format polylines" in said
 
 
-def test_what_is_in_a_json_file_decides_what_it_is(tmp_path) -> None:
+def test_what_is_in_a_json_file_decides_what_it_is(tmp_path):
     krt_camera = json.loads(write_krt(PINHOLE, SIZE))
     soccernet = json.loads(write_camera(PINHOLE))
     files: dict[str, tuple[Any, list[str]]] = {

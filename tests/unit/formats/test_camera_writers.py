@@ -1,7 +1,5 @@
 """Cameras written in other formats: round trips, and what a format cannot hold."""
 
-from __future__ import annotations
-
 import json
 import math
 import zipfile
@@ -58,7 +56,6 @@ def loaded(name: str, size: tuple[int, int] | None = SIZE) -> LoadedCamera:
 
 
 def agree(found: object, expected: Camera, points: np.ndarray) -> None:
-    assert isinstance(found, Camera)
     px, valid = found.project(points)
     expected_px, expected_valid = expected.project(points)
     assert (valid == expected_valid).all()
@@ -69,7 +66,7 @@ def agree(found: object, expected: Camera, points: np.ndarray) -> None:
 
 @pytest.mark.parametrize("target", CAMERA_TARGETS)
 @pytest.mark.parametrize("name", MODELS)
-def test_what_a_format_holds_comes_back_and_the_rest_is_refused(target, name) -> None:
+def test_what_a_format_holds_comes_back_and_the_rest_is_refused(target, name):
     if name not in HOLDS[target]:
         with pytest.raises(ValueError, match=r"cannot hold (a |lens )"):
             encode_camera(loaded(name), target)
@@ -83,13 +80,12 @@ def test_what_a_format_holds_comes_back_and_the_rest_is_refused(target, name) ->
     to = again.size or (960, 540)
     assert to == (SIZE if target != "submission" else (960, 540))
     expected, _ = fit_to_size(loaded(name), to)
-    assert isinstance(expected, Camera)
     flat = again.model == "homography"
     agree(again.camera, expected, GROUND if flat else POINTS)
     assert losses == (("everything off the ground",) if flat and name == "plain" else ())
 
 
-def test_every_format_of_these_is_read_by_itself_too() -> None:
+def test_every_format_of_these_is_read_by_itself_too():
     for writer in WRITERS:
         if writer.name in ("world", "submission"):
             continue  # nothing in a text of nine numbers tells metres from yards
@@ -97,11 +93,10 @@ def test_every_format_of_these_is_read_by_itself_too() -> None:
         path = writer.file_name.format("1")
         again = read_camera_file(data, path=path)
         expected, _ = fit_to_size(loaded("plain"), again.size or SIZE)
-        assert isinstance(expected, Camera)
         agree(again.camera, expected, GROUND)
 
 
-def test_a_camera_is_written_for_the_size_asked_for() -> None:
+def test_a_camera_is_written_for_the_size_asked_for():
     for target in ("soccernet", "krt", "opencv"):
         suffix = Path(writer_of(target).file_name).suffix
         data, _ = encode_camera(loaded("bent"), target, size=(640, 360))
@@ -114,7 +109,7 @@ def test_a_camera_is_written_for_the_size_asked_for() -> None:
         assert unknown.size is None
 
 
-def test_a_soccernet_camera_keeps_what_its_file_said() -> None:
+def test_a_soccernet_camera_keeps_what_its_file_said():
     content = json.loads(write_camera(PLAIN)) | {"pan_degrees": 5.0, "score": 0.9, "width": 1280}
     content |= {"height": 720}
     first = read_camera_file(json.dumps(content).encode(), path="1.json")
@@ -132,7 +127,7 @@ def test_a_soccernet_camera_keeps_what_its_file_said() -> None:
     assert "names no picture size" in encode_camera(loaded("plain", None), "submission")[1][0]
 
 
-def test_what_cannot_be_written_says_why() -> None:
+def test_what_cannot_be_written_says_why():
     drawn = LoadedCamera(ElementProjections({}), "projections", (2, 2))
 
     class Lens:
@@ -160,7 +155,7 @@ def test_what_cannot_be_written_says_why() -> None:
         encode_camera(loaded("plain"), "mat")
 
 
-def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path) -> None:
+def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path):
     cameras = [
         ("00001", loaded("plain")),
         ("00002", loaded("flat")),
@@ -194,7 +189,7 @@ def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path) -> None:
         agree(collection.read("00004").camera, BENT, POINTS)
 
 
-def test_nothing_is_written_where_it_must_not_be(tmp_path) -> None:
+def test_nothing_is_written_where_it_must_not_be(tmp_path):
     with pytest.raises(UsageError, match=r"must end in \.zip"):
         write_cameras([("1", loaded("plain"))], tmp_path / "out", "submission")
     for split in ("", "..", "a/b", "a\\b"):
@@ -217,7 +212,7 @@ def test_nothing_is_written_where_it_must_not_be(tmp_path) -> None:
             export_cameras(collection, source, "soccernet")
 
 
-def test_a_collection_is_converted(tmp_path) -> None:
+def test_a_collection_is_converted(tmp_path):
     source = tmp_path / "cameras"
     source.mkdir()
     (source / "camera_1.json").write_bytes(write_camera(PLAIN))

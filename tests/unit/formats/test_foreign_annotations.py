@@ -1,7 +1,5 @@
 """Files as other programs write them, and damaged ones: each is read, or refused in one line."""
 
-from __future__ import annotations
-
 import copy
 import json
 from pathlib import Path
@@ -220,7 +218,7 @@ def put(folder: Path, name: str, content: object = None) -> Path:
 
 
 @pytest.mark.parametrize("name", ["labelme", "cvat", "coco"])
-def test_pixels_become_what_soccernet_means(name, tmp_path) -> None:
+def test_pixels_become_what_soccernet_means(name, tmp_path):
     frames, reading = read(put(tmp_path, name))
     assert reading.problems == []
     frame = frames["a"]
@@ -229,7 +227,7 @@ def test_pixels_become_what_soccernet_means(name, tmp_path) -> None:
     assert post.points == (Point(100.5 / 639, 20.25 / 359), Point(101.0 / 639, 1.0))
 
 
-def test_labelme_shapes_of_other_types_are_told(tmp_path) -> None:
+def test_labelme_shapes_of_other_types_are_told(tmp_path):
     frames, reading = read(put(tmp_path, "labelme"))
     assert frames["a"].annotation.annotated == (
         "Goal left post left ", "Circle central", "Middle line",
@@ -241,7 +239,7 @@ def test_labelme_shapes_of_other_types_are_told(tmp_path) -> None:
     ]
 
 
-def test_labelme_without_a_size_takes_that_of_the_picture(tmp_path) -> None:
+def test_labelme_without_a_size_takes_that_of_the_picture(tmp_path):
     content = {k: v for k, v in LABELME.items() if not k.startswith("imageH")}
     content["imageWidth"] = None
     path = put(tmp_path, "labelme", content)
@@ -251,7 +249,7 @@ def test_labelme_without_a_size_takes_that_of_the_picture(tmp_path) -> None:
     assert "give the size" in reading.problems[0]
 
 
-def test_cvat_pictures_nobody_annotated_stay_so(tmp_path) -> None:
+def test_cvat_pictures_nobody_annotated_stay_so(tmp_path):
     frames, reading = read(put(tmp_path, "cvat"))
     assert list(frames) == ["a"]
     assert reading.remarks.lines() == [
@@ -261,14 +259,14 @@ def test_cvat_pictures_nobody_annotated_stay_so(tmp_path) -> None:
     ]
 
 
-def test_cvat_two_decimals_move_points_by_no_more(tmp_path) -> None:
+def test_cvat_two_decimals_move_points_by_no_more(tmp_path):
     text = CVAT.replace("100.50", "100.49")
     a = read(put(tmp_path, "cvat"))[0]["a"].annotation.polylines[0]
     b = read(put(tmp_path, "cvat", text))[0]["a"].annotation.polylines[0]
     assert abs(points_px(a, (640, 360)) - points_px(b, (640, 360))).max() == pytest.approx(0.01)
 
 
-def test_v3_keeps_every_unknown_line(tmp_path) -> None:
+def test_v3_keeps_every_unknown_line(tmp_path):
     frames, reading = read(put(tmp_path, "soccernet-v3"))
     assert list(frames) == ["0", "0_1"]
     first = frames["0"].annotation
@@ -281,7 +279,7 @@ def test_v3_keeps_every_unknown_line(tmp_path) -> None:
     assert any(line.startswith("players, links") for line in reading.remarks.lines())
 
 
-def test_gsr_gives_the_frames_with_a_pitch(tmp_path) -> None:
+def test_gsr_gives_the_frames_with_a_pitch(tmp_path):
     frames, reading = read(put(tmp_path, "soccernet-gsr"))
     assert list(frames) == ["000001"]
     assert frames["000001"].annotation.polylines[0].points[1] == Point(1.0, 0.43)
@@ -289,7 +287,7 @@ def test_gsr_gives_the_frames_with_a_pitch(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("name", ["soccernet-v3", "soccernet-gsr"])
-def test_writing_into_a_file_keeps_its_other_content(name, tmp_path) -> None:
+def test_writing_into_a_file_keeps_its_other_content(name, tmp_path):
     path = put(tmp_path, name)
     frames, _ = read(path)
     known = format_named(name)
@@ -348,7 +346,7 @@ def px(frame: ExchangedFrame, name: str) -> list[list[float]]:
     return [[round(x, 6), round(y, 6)] for x, y in points_px(polyline, frame.size)]
 
 
-def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path) -> None:
+def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path):
     content = shapes(
         ("Side line top", [[300, 130], [200, 120]]),
         ("Side line top", [[10, 101], [100, 110]]),
@@ -361,7 +359,7 @@ def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path) -> None:
     assert reading.remarks.lines() == ["shapes of one class were joined end to end (1 frame: a)"]
 
 
-def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path) -> None:
+def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path):
     """A twentieth of its length is more than broadcast lenses do."""
     course = [[x, 100 + 20 * (1 - ((x - 310) / 300) ** 2)] for x in range(10, 611, 50)]
     content = shapes(("Side line top", course[:5]), ("Side line top", course[6:]))
@@ -370,7 +368,7 @@ def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path) -> None:
     assert px(frames["a"], "Side line top") == expected
 
 
-def test_arcs_are_joined_where_they_touch(tmp_path) -> None:
+def test_arcs_are_joined_where_they_touch(tmp_path):
     content = shapes(
         ("Circle left", [[100, 100], [120, 130]]),
         ("Circle left", [[80, 60], [100.5, 100]]),
@@ -395,7 +393,7 @@ def test_arcs_are_joined_where_they_touch(tmp_path) -> None:
         (("Side line top", [[10, 100], [250, 100]]), ("Side line top", [[300, 125], [600, 125]])),
     ],
 )
-def test_a_guess_is_refused_and_explained(pieces, tmp_path) -> None:
+def test_a_guess_is_refused_and_explained(pieces, tmp_path):
     frames, reading = read(put(tmp_path, "labelme", shapes(*pieces)))
     assert frames == {}
     (problem,) = reading.problems
@@ -403,14 +401,14 @@ def test_a_guess_is_refused_and_explained(pieces, tmp_path) -> None:
     assert "one polyline a class" in problem
 
 
-def test_single_points_of_a_class_keep_their_order(tmp_path) -> None:
+def test_single_points_of_a_class_keep_their_order(tmp_path):
     content = shapes(*((("Circle left"), [[x, 10]]) for x in (30, 10, 20)))
     frames, _ = read(put(tmp_path, "labelme", content))
     assert px(frames["a"], "Circle left") == [[30, 10], [10, 10], [20, 10]]
 
 
 @pytest.mark.parametrize("to", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_frames_keep_their_names_whatever_their_pictures_are_called(to, tmp_path) -> None:
+def test_frames_keep_their_names_whatever_their_pictures_are_called(to, tmp_path):
     folder = tmp_path / "labelme"
     folder.mkdir()
     for name, picture in (("g", "..\\imgs\\other.png"), ("a", "a.jpg"), ("a2", "a.png")):
@@ -493,7 +491,7 @@ DAMAGE: list[tuple[str, Any, str]] = [
 
 
 @pytest.mark.parametrize(("name", "content", "place"), DAMAGE)
-def test_damage_is_one_line_with_its_place(name, content, place, tmp_path) -> None:
+def test_damage_is_one_line_with_its_place(name, content, place, tmp_path):
     path = put(tmp_path, name, content)
     _, reading = read(path, name)
     (problem,) = reading.problems
@@ -505,7 +503,7 @@ def test_damage_is_one_line_with_its_place(name, content, place, tmp_path) -> No
 
 
 @pytest.mark.parametrize("name", ["soccernet-v3", "soccernet-gsr", "coco", "cvat"])
-def test_one_damaged_frame_leaves_the_others(name, tmp_path) -> None:
+def test_one_damaged_frame_leaves_the_others(name, tmp_path):
     content = copy.deepcopy(FILES[name][1])
     if name == "soccernet-v3":
         content["actions"]["0.png"]["lines"] = 3
@@ -541,7 +539,7 @@ BOMB = '<!DOCTYPE a [<!ENTITY l "lol">' + "".join(
         '<!DOCTYPE a [<!ENTITY % p SYSTEM "file:///etc/passwd"> %p;]>',
     ],
 )
-def test_entities_are_refused(doctype, tmp_path) -> None:
+def test_entities_are_refused(doctype, tmp_path):
     text = CVAT.replace("<annotations>", f"{doctype}<annotations>", 1).replace("day one", "&f;")
     _, reading = read(put(tmp_path, "cvat", text), "cvat")
     (problem,) = reading.problems
@@ -549,7 +547,7 @@ def test_entities_are_refused(doctype, tmp_path) -> None:
     assert "entities" in problem
 
 
-def test_deep_nesting_is_refused_or_read_and_never_fatal(tmp_path) -> None:
+def test_deep_nesting_is_refused_or_read_and_never_fatal(tmp_path):
     deep = "<a>" * 100_000 + "</a>" * 100_000
     text = CVAT.replace("<meta>", f"<meta>{deep}")
     frames, reading = read(put(tmp_path, "cvat", text), "cvat")

@@ -1,7 +1,5 @@
 """Killed without warning while saving, the program never leaves a broken or an older file."""
 
-from __future__ import annotations
-
 import json
 import os
 import random
@@ -42,7 +40,7 @@ def wait_for_first_save(reader: int) -> bytes:
 @pytest.mark.laps
 @pytest.mark.skipif(sys.platform == "win32", reason="needs fork and SIGKILL")
 @pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
-def test_kill_9_during_saving_loses_nothing_that_was_saved(tmp_path, lap) -> None:
+def test_kill_9_during_saving_loses_nothing_that_was_saved(tmp_path, lap):
     field = load_field()
     path = tmp_path / "00001.json"
     moments = random.Random(20240617 + lap)

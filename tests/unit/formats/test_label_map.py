@@ -1,7 +1,5 @@
 """Names of other programs: what a labels.toml says, and what is said of one that is wrong."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any
@@ -45,7 +43,7 @@ def first_points(found: ReadSet) -> dict[str, tuple[float, float]]:
     return {p.class_name: (p.points[0].u, p.points[0].v) for p in polylines}
 
 
-def test_labels_become_classes_and_some_are_left_out(tmp_path) -> None:
+def test_labels_become_classes_and_some_are_left_out(tmp_path):
     found = read(
         tmp_path, 'middle = "Centre service line"\ncrowd = false\n',
         shape("middle ", (0, 10), (0, 20)), shape("crowd", (5, 5), (6, 6)),
@@ -55,7 +53,7 @@ def test_labels_become_classes_and_some_are_left_out(tmp_path) -> None:
     assert found.unknown == {"odd": 1}
 
 
-def test_numbered_copies_have_classes_of_their_own(tmp_path) -> None:
+def test_numbered_copies_have_classes_of_their_own(tmp_path):
     found = read(
         tmp_path, 'line = "Baseline left"\n"line (2)" = "Baseline right"\n',
         shape("line", (0, 10), (0, 20)), shape("line", (50, 10), (50, 20)),
@@ -66,7 +64,7 @@ def test_numbered_copies_have_classes_of_their_own(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("order", "left_has"), [("top_down", (0.9, 0.1)), ("left_to_right", (0.1, 0.8))]
 )
-def test_a_shared_label_is_told_by_places_in_the_picture(tmp_path, order, left_has) -> None:
+def test_a_shared_label_is_told_by_places_in_the_picture(tmp_path, order, left_has):
     low_left = shape("baseline", (10, 80), (20, 80))
     high_right = shape("baseline", (90, 10), (95, 10))
     rule = f'baseline = {{ {order} = ["Baseline left", "Baseline right"] }}\n'
@@ -75,14 +73,14 @@ def test_a_shared_label_is_told_by_places_in_the_picture(tmp_path, order, left_h
     assert len(first_points(found)) == 2
 
 
-def test_one_shape_where_two_are_ordered_is_left_out_and_told(tmp_path) -> None:
+def test_one_shape_where_two_are_ordered_is_left_out_and_told(tmp_path):
     rule = 'baseline = { top_down = ["Baseline left", "Baseline right"] }\n'
     found = read(tmp_path, rule, shape("baseline", (1, 1), (2, 2)), shape("odd", (0, 0)))
     assert set(first_points(found)) == {"odd"}
     assert any("'baseline': 1 shape where labels.toml puts 2 in order" in s for s in found.losses)
 
 
-def test_a_misspelled_label_of_the_map_is_told(tmp_path) -> None:
+def test_a_misspelled_label_of_the_map_is_told(tmp_path):
     found = read(tmp_path, 'basline = "Baseline left"\n', shape("baseline", (1, 1), (2, 2)))
     assert any("'basline'; did you mean 'baseline'?" in line for line in found.losses)
 
@@ -99,7 +97,7 @@ def test_a_misspelled_label_of_the_map_is_told(tmp_path) -> None:
         ('x = "Baseline left"', "expected one table [labels]"),
     ],
 )  # fmt: skip
-def test_a_map_that_is_wrong_says_where(tmp_path, text, said) -> None:
+def test_a_map_that_is_wrong_says_where(tmp_path, text, said):
     path = tmp_path / "labels.toml"
     path.write_text(text)
     with pytest.raises(InputError) as wrong:
@@ -181,7 +179,7 @@ def read_set(folder: Path, field: Field, labels: str = "") -> ReadSet:
         ({"keypoints": [str(i) for i in range(32)]}, 'pitch = { template = "soccer_32" }'),
     ],
 )
-def test_places_of_a_pitch_are_points_of_its_elements(tmp_path, category, labels) -> None:
+def test_places_of_a_pitch_are_points_of_its_elements(tmp_path, category, labels):
     field = load_field("soccer")
     px, _ = HIGH.project(pitch())
     found = read_set(written(tmp_path, category, px, {8, 30}), field, labels)
@@ -194,7 +192,7 @@ def test_places_of_a_pitch_are_points_of_its_elements(tmp_path, category, labels
     assert measured.max_error < 0.5
 
 
-def test_places_of_a_court(tmp_path) -> None:
+def test_places_of_a_court(tmp_path):
     field = load_field("tennis")
     px, _ = BEHIND.project(court())
     skeleton = [[1, 2], [3, 4], [1, 3], [9, 13], [13, 14]]
@@ -216,14 +214,14 @@ def test_places_of_a_court(tmp_path) -> None:
         {"keypoints": [str(i) for i in range(1, 33)]},
     ],
 )
-def test_places_that_nobody_knows_are_no_polyline(tmp_path, category) -> None:
+def test_places_that_nobody_knows_are_no_polyline(tmp_path, category):
     px, _ = HIGH.project(pitch())
     found = read_set(written(tmp_path, category, px, {3}), load_field("soccer"))
     assert not found.frames
     assert any("soccer_32" in line and "left out" in line for line in found.losses)
 
 
-def test_a_polyline_stays_one(tmp_path) -> None:
+def test_a_polyline_stays_one(tmp_path):
     px, _ = HIGH.project(pitch())
     numbered = [str(i) for i in range(1, 33)]
     chain = [[i, i + 1] for i in range(1, 32)]
@@ -232,7 +230,7 @@ def test_a_polyline_stays_one(tmp_path) -> None:
     assert [len(p.points) for p in found.frames["a"].annotation.polylines] == [9]
 
 
-def test_a_template_of_another_sport_is_one_problem(tmp_path) -> None:
+def test_a_template_of_another_sport_is_one_problem(tmp_path):
     px, _ = HIGH.project(pitch())
     found = read_set(written(tmp_path, {"keypoints": NAMES}, px, set()), load_field("tennis"))
     assert len(found.problems) == 1
@@ -240,12 +238,12 @@ def test_a_template_of_another_sport_is_one_problem(tmp_path) -> None:
     assert "--field soccer" in found.problems[0]
 
 
-def test_a_map_names_a_template_that_is_there(tmp_path) -> None:
+def test_a_map_names_a_template_that_is_there(tmp_path):
     with pytest.raises(InputError, match=r"did you mean 'soccer_32'\?"):
         read_set(tmp_path, load_field("soccer"), 'pitch = { template = "soccer32" }')
 
 
-def test_templates_are_of_the_fields_they_name() -> None:
+def test_templates_are_of_the_fields_they_name():
     assert len(known_templates()) >= 2
     for template in known_templates():
         assert template.is_of(load_field(template.field))

@@ -1,7 +1,5 @@
 """``landmarks.json``: read strictly, written back without losing anything."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 
@@ -43,21 +41,21 @@ def _read(content: object) -> LandmarkFile:
     return read_landmarks(json.dumps(content).encode(), path="landmarks.json")
 
 
-def test_what_is_read_is_written_back_to_the_last_digit() -> None:
+def test_what_is_read_is_written_back_to_the_last_digit():
     read = _read(FULL)
     assert json.loads(encode_landmarks(read)) == FULL
     assert read_landmarks(encode_landmarks(read), path="") == read
 
 
-def test_an_entry_needs_nothing_but_its_name() -> None:
+def test_an_entry_needs_nothing_but_its_name():
     assert _read({"landmarks": [{"name": "Mast"}]}).landmarks == (Landmark("Mast"),)
 
 
-def test_a_dataset_without_the_file_has_no_landmarks(tmp_path) -> None:
+def test_a_dataset_without_the_file_has_no_landmarks(tmp_path):
     assert load_landmarks(tmp_path / "landmarks.json") == LandmarkFile()
 
 
-def test_saving_and_loading(tmp_path) -> None:
+def test_saving_and_loading(tmp_path):
     path = tmp_path / "landmarks.json"
     save_landmarks(path, _read(FULL))
     assert load_landmarks(path) == _read(FULL)
@@ -65,7 +63,7 @@ def test_saving_and_loading(tmp_path) -> None:
         save_landmarks(tmp_path / "nowhere" / "landmarks.json", LandmarkFile())
 
 
-def test_entries_are_replaced_by_name_and_instant() -> None:
+def test_entries_are_replaced_by_name_and_instant():
     read = _read(FULL)
     moved = read.with_landmark(Landmark("Ball", position=(5.0, 5.0, 0.0), instant="17"))
     assert [m.position for m in moved.landmarks[1:]] == [None, (5.0, 5.0, 0.0)]
@@ -75,7 +73,7 @@ def test_entries_are_replaced_by_name_and_instant() -> None:
     assert [m.name for m in more.without("Ball").landmarks] == ["Floodlight NE "]
 
 
-def test_a_place_at_all_times_and_at_an_instant_contradict_each_other() -> None:
+def test_a_place_at_all_times_and_at_an_instant_contradict_each_other():
     entries = [
         {"name": "Ball", "position": [1, 2, 0]},
         {"name": "Ball", "moving": True, "instant": "17", "position": [3, 2, 0]},
@@ -117,7 +115,7 @@ def _entry(**keys: object) -> object:
         ),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_told_with_its_place(content, place, problem) -> None:
+def test_what_is_wrong_is_told_with_its_place(content, place, problem):
     with pytest.raises(InputError) as caught:
         _read(content)
     assert caught.value.place == place
@@ -125,6 +123,6 @@ def test_what_is_wrong_is_told_with_its_place(content, place, problem) -> None:
     assert str(caught.value).startswith("landmarks.json")
 
 
-def test_a_file_that_is_cut_off_is_told_with_its_line() -> None:
+def test_a_file_that_is_cut_off_is_told_with_its_line():
     with pytest.raises(InputError, match="line 2 column"):
         read_landmarks(b'{"landmarks": [\n{"name": "A"}', path="landmarks.json")

@@ -1,7 +1,5 @@
 """MATLAB files of level 5: what scipy writes and reads, and files that are damaged."""
 
-from __future__ import annotations
-
 import io
 import struct
 import zlib
@@ -49,7 +47,7 @@ def plain(value: Any) -> Any:
 
 
 @pytest.mark.parametrize("compressed", [False, True])
-def test_it_reads_what_scipy_reads(compressed) -> None:
+def test_it_reads_what_scipy_reads(compressed):
     data = written(CONTENT, compressed=compressed)
     found = matlab_content(data, "1.mat")
     theirs = scipy.io.loadmat(io.BytesIO(data), simplify_cells=True)
@@ -58,13 +56,13 @@ def test_it_reads_what_scipy_reads(compressed) -> None:
         assert found[name] == plain(theirs[name]), name
 
 
-def test_what_is_no_part_of_a_camera_is_none() -> None:
+def test_what_is_no_part_of_a_camera_is_none():
     found = matlab_content(written({"z": np.array([1j, 2.0]), "K": np.eye(3)}), "1.mat")
     assert found["z"] is None
     assert found["K"] == np.eye(3).tolist()
 
 
-def test_files_of_the_other_byte_order() -> None:
+def test_files_of_the_other_byte_order():
     """As a SPARC wrote them: one variable, 2 x 2 numbers, named k."""
     name = struct.pack(">HH4s", 1, 1, b"k")  # a small element: length and type in one word
     inner = (
@@ -79,7 +77,7 @@ def test_files_of_the_other_byte_order() -> None:
 
 
 @pytest.mark.parametrize("compressed", [False, True])
-def test_a_file_cut_off_anywhere_is_one_line(compressed) -> None:
+def test_a_file_cut_off_anywhere_is_one_line(compressed):
     data = written({"K": np.eye(3), "one": STRUCTURE}, compressed=compressed)
     whole = matlab_content(data, "1.mat")
     for length in range(len(data)):
@@ -93,7 +91,7 @@ def test_a_file_cut_off_anywhere_is_one_line(compressed) -> None:
             assert len(found) < len(whole)
 
 
-def test_a_part_that_grows_without_end_is_refused() -> None:
+def test_a_part_that_grows_without_end_is_refused():
     bomb = zlib.compress(bytes(70 * 1024 * 1024), 9)
     header = b"MATLAB 5.0 MAT-file".ljust(124) + b"\x00\x01IM"
     with pytest.raises(CameraError, match="too large"):
@@ -102,7 +100,7 @@ def test_a_part_that_grows_without_end_is_refused() -> None:
 
 @pytest.mark.parametrize("numbers", [False, True])
 @pytest.mark.parametrize("shape", [(2**31 - 1, 0), (2**31 - 1, 3), (0, 2**31 - 1), (1,) * 70])
-def test_dimensions_of_no_bounds_take_no_memory(shape, numbers) -> None:
+def test_dimensions_of_no_bounds_take_no_memory(shape, numbers):
     """Texts of so many lines, or so many empty lists, were more than any machine holds."""
 
     def part(kind: int, data: bytes) -> bytes:
@@ -125,7 +123,7 @@ def test_dimensions_of_no_bounds_take_no_memory(shape, numbers) -> None:
 
 
 @pytest.mark.laps
-def test_damaged_bytes_are_an_error_or_another_value(shared_data, lap) -> None:
+def test_damaged_bytes_are_an_error_or_another_value(shared_data, lap):
     """Uncompressed, so that a changed byte is a changed type, length or number."""
     rng = np.random.default_rng(3 + lap)
     seeds = [written(CONTENT)]

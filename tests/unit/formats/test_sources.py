@@ -1,7 +1,5 @@
 """Folders, archives and which file belongs to which frame."""
 
-from __future__ import annotations
-
 import unicodedata
 import warnings
 import zipfile
@@ -35,9 +33,7 @@ NAMES = ("10.json", "9.json", "camera_9.json", ".hidden.json", "notes.txt", "jac
 
 @pytest.mark.parametrize("inside", ["", "test/"])
 @pytest.mark.parametrize("as_zip", [False, True])
-def test_folders_and_archives_with_or_without_a_split_look_the_same(
-    tmp_path, inside, as_zip
-) -> None:
+def test_folders_and_archives_with_or_without_a_split_look_the_same(tmp_path, inside, as_zip):
     folder = make(tmp_path / "data", *(inside + n for n in (*NAMES, "__MACOSX/._9.json")))
     source = open_source(zipped(folder, tmp_path / "data.zip") if as_zip else folder)
     with source:
@@ -50,7 +46,7 @@ def test_folders_and_archives_with_or_without_a_split_look_the_same(
         assert source.read(found["9"]) == f"{inside}9.json".encode()
 
 
-def test_homographies_by_name(tmp_path) -> None:
+def test_homographies_by_name(tmp_path):
     folder = make(tmp_path, "1.npy", "00002_homography.npy", "3.homographyMatrix")
     assert list_cameras(open_source(folder)) == {
         "1": "1.npy",
@@ -61,13 +57,13 @@ def test_homographies_by_name(tmp_path) -> None:
     assert list_cameras(open_source(folder), "soccernet") == {}
 
 
-def test_two_cameras_for_one_frame_are_an_error(tmp_path) -> None:
+def test_two_cameras_for_one_frame_are_an_error(tmp_path):
     folder = make(tmp_path, "1.npy", "1_homography.npy")
     with pytest.raises(InputError, match="second file for frame '1'"):
         list_cameras(open_source(folder))
 
 
-def test_a_json_camera_beats_a_homography_and_says_so(tmp_path) -> None:
+def test_a_json_camera_beats_a_homography_and_says_so(tmp_path):
     folder = make(tmp_path, "camera_2.json", "1.npy", "2.npy", "10.npy")
     found = list_cameras(open_source(folder))
     assert list(found.items()) == [("1", "1.npy"), ("2", "camera_2.json"), ("10", "10.npy")]
@@ -79,14 +75,14 @@ def test_a_json_camera_beats_a_homography_and_says_so(tmp_path) -> None:
     assert not chosen.notices
 
 
-def test_plain_json_beside_named_cameras_is_passed_over_with_a_word(tmp_path) -> None:
+def test_plain_json_beside_named_cameras_is_passed_over_with_a_word(tmp_path):
     found = list_cameras(open_source(make(tmp_path, "camera_1.json", "1.json", "2.json")))
     assert found == {"1": "camera_1.json"}
     (notice,) = found.notices
     assert notice.startswith("1 file like 2.json taken for an annotation, not a camera")
 
 
-def test_annotations_beside_homographies_are_not_cameras(tmp_path) -> None:
+def test_annotations_beside_homographies_are_not_cameras(tmp_path):
     folder = make(tmp_path, "1.json", "2.json", "1.homographyMatrix", "2.jpg", "README.txt")
     found = list_cameras(open_source(folder))
     assert found == {"1": "1.homographyMatrix", "README": "README.txt"}
@@ -94,12 +90,12 @@ def test_annotations_beside_homographies_are_not_cameras(tmp_path) -> None:
     assert set(list_annotations(open_source(folder))) == {"1", "2"}
 
 
-def test_plain_names_are_cameras_in_a_folder_of_their_own(tmp_path) -> None:
+def test_plain_names_are_cameras_in_a_folder_of_their_own(tmp_path):
     folder = make(tmp_path, "1.json", "2.json", "README.txt")
     assert list(list_cameras(open_source(folder))) == ["1", "2", "README"]
 
 
-def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path) -> None:
+def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path):
     folder = make(tmp_path / "data", "v1.2/1.json")
     assert list_annotations(open_source(folder)) == {"1": "v1.2/1.json"}
     path = tmp_path / "z.zip"
@@ -112,7 +108,7 @@ def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path) ->
 
 
 @pytest.mark.parametrize("inside", ["", "test/"])
-def test_names_in_an_archive_may_begin_at_its_top(tmp_path, inside) -> None:
+def test_names_in_an_archive_may_begin_at_its_top(tmp_path, inside):
     """As ``zip`` and ``tar`` of other programs store ``.``: with ``./`` before every name."""
     path = tmp_path / "z.zip"
     with zipfile.ZipFile(path, "w") as archive:
@@ -128,7 +124,7 @@ def test_names_in_an_archive_may_begin_at_its_top(tmp_path, inside) -> None:
         assert source.folders() == ([inside.rstrip("/")] if inside else [])
 
 
-def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path) -> None:
+def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path):
     (tmp_path / "secret.json").write_text("secret")
     (tmp_path / "in").mkdir()
     path = tmp_path / "in" / "z.zip"
@@ -142,14 +138,14 @@ def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path) -> None:
     assert (tmp_path / "secret.json").read_text() == "secret"
 
 
-def test_a_single_file_is_a_set_of_one(tmp_path) -> None:
+def test_a_single_file_is_a_set_of_one(tmp_path):
     make(tmp_path, "camera_7.json", "camera_8.json")
     source = open_source(tmp_path / "camera_7.json")
     assert list_cameras(source) == {"7": "camera_7.json"}
     assert source.read("camera_7.json") == b"camera_7.json"
 
 
-def test_what_cannot_be_opened_is_said(tmp_path) -> None:
+def test_what_cannot_be_opened_is_said(tmp_path):
     with pytest.raises(UsageError, match="no such file or folder"):
         open_source(tmp_path / "absent")
     (tmp_path / "bad.zip").write_bytes(b"PK nonsense")
@@ -157,7 +153,7 @@ def test_what_cannot_be_opened_is_said(tmp_path) -> None:
         open_source(tmp_path / "bad.zip")
 
 
-def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path) -> None:
+def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path):
     folder = make(tmp_path / "data", "1.json", "3.json")
     (folder / "2.json").mkdir()
     source = open_source(folder)
@@ -175,7 +171,7 @@ def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path) -> None:
         archive.read("1.json")
 
 
-def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path) -> None:
+def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path):
     (tmp_path / "good.json").write_text("{}")
     (tmp_path / "loop.json").symlink_to("loop.json")
     with open_source(tmp_path) as folder:
@@ -184,7 +180,7 @@ def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path) -> None:
             folder.read("loop.json")
 
 
-def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path) -> None:
+def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path):
     """As who packs a folder of matches gets it; beside what a Mac adds."""
     for stem, frames in (("anna", ["g1/1", "g2/1"]), ("ben", ["anna/g1/1", "anna/g2/1"])):
         path = tmp_path / f"{stem}.zip"
@@ -211,7 +207,7 @@ APART = unicodedata.normalize("NFD", "café")
 
 @pytest.mark.parametrize("here", [COMPOSED, APART])
 @pytest.mark.parametrize("asked", [COMPOSED, APART])
-def test_letters_and_folders_may_differ_at_once(here, asked) -> None:
+def test_letters_and_folders_may_differ_at_once(here, asked):
     table = FrameTable({f"{here}/1": "a"})
     assert [table.get(f"{asked}/{inner}1") for inner in ("", "img1/", "images/")] == ["a"] * 3
     assert f"{asked}/2" not in table
@@ -223,7 +219,7 @@ def test_letters_and_folders_may_differ_at_once(here, asked) -> None:
     assert f"other/{asked}_1" not in flat
 
 
-def test_a_frame_is_called_in_other_lists_with_the_folder_it_lies_in() -> None:
+def test_a_frame_is_called_in_other_lists_with_the_folder_it_lies_in():
     tree = ByFrame({"g1/1": "a", "g2/1": "b"})
     one = ByFrame({"1": "c"})
     one.only_folder = "g2/"
@@ -246,7 +242,7 @@ def test_a_frame_is_called_in_other_lists_with_the_folder_it_lies_in() -> None:
         (b"frame,light\n1,\xff\n", "is not UTF-8"),
     ],
 )
-def test_damaged_tables_are_one_clear_error(tmp_path, text, says) -> None:
+def test_damaged_tables_are_one_clear_error(tmp_path, text, says):
     path = tmp_path / "table.csv"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(InputError, match=says) as caught:
@@ -254,7 +250,7 @@ def test_damaged_tables_are_one_clear_error(tmp_path, text, says) -> None:
     assert str(path) in str(caught.value)
 
 
-def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path) -> None:
+def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path):
     path = tmp_path / "table.csv"
     path.write_text("\ufeffframe; light ;\n\n'=1;day;x\n", encoding="utf-8")
     names, rows = read_frame_table(path, ["light"], "")
@@ -263,7 +259,7 @@ def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path) -> No
     assert read_table(path, ["light"], "") == (names, rows)
 
 
-def test_a_frame_may_stand_once_in_each_set(tmp_path) -> None:
+def test_a_frame_may_stand_once_in_each_set(tmp_path):
     path = tmp_path / "table.csv"
     path.write_text("set,frame\na,1\nb,1\n")
     assert len(read_frame_table(path, (), "", in_sets=True)[1]) == 2

@@ -1,7 +1,5 @@
 """What the official evaluation would make of a submission."""
 
-from __future__ import annotations
-
 import json
 import warnings
 import zipfile
@@ -36,7 +34,7 @@ def findings(folder: Path, content: Any) -> list[str]:
     return [str(finding) for finding in check_submission(path, ["1"])]
 
 
-def test_nothing_is_said_of_a_submission_written_here(tmp_path) -> None:
+def test_nothing_is_said_of_a_submission_written_here(tmp_path):
     path = tmp_path / "s.zip"
     cameras = [(str(i), LoadedCamera(CAMERA, "pinhole", (960, 540))) for i in range(3)]
     write_cameras(cameras, path, "submission")
@@ -84,7 +82,7 @@ def without(key: str) -> dict[str, Any]:
         ),
     ],
 )
-def test_each_camera_is_looked_at(tmp_path, content, expected) -> None:
+def test_each_camera_is_looked_at(tmp_path, content, expected):
     found = findings(tmp_path, content)
     if expected is None:
         assert found == []
@@ -93,7 +91,7 @@ def test_each_camera_is_looked_at(tmp_path, content, expected) -> None:
         assert found[0].startswith(expected.format("test/camera_1.json"))
 
 
-def test_names_and_frames(tmp_path) -> None:
+def test_names_and_frames(tmp_path):
     path = archive(
         tmp_path,
         [
@@ -121,7 +119,7 @@ def test_names_and_frames(tmp_path) -> None:
     assert empty.kind == "refused"
 
 
-def test_what_is_no_archive(tmp_path) -> None:
+def test_what_is_no_archive(tmp_path):
     with pytest.raises(UsageError, match="no such file"):
         check_submission(tmp_path / "absent.zip")
     (tmp_path / "a.json").write_text("{}")
@@ -132,7 +130,7 @@ def test_what_is_no_archive(tmp_path) -> None:
         check_submission(tmp_path / "bad.zip")
 
 
-def test_a_damaged_member_is_refused_and_the_others_are_read(tmp_path) -> None:
+def test_a_damaged_member_is_refused_and_the_others_are_read(tmp_path):
     path = archive(tmp_path, [("test/camera_1.json", GOOD), ("test/camera_2.json", without("x"))])
     data = bytearray(path.read_bytes())
     at = data.index(b'"pan_degrees"')
@@ -143,7 +141,7 @@ def test_a_damaged_member_is_refused_and_the_others_are_read(tmp_path) -> None:
     assert "cannot be read" in found.text
 
 
-def test_names_that_begin_with_a_dot_are_not_found_by_the_evaluation(tmp_path) -> None:
+def test_names_that_begin_with_a_dot_are_not_found_by_the_evaluation(tmp_path):
     (found,) = check_submission(archive(tmp_path, [("./test/camera_1.json", GOOD)]))
     assert found.kind == "refused"
     assert "./ is not looked past" in found.text

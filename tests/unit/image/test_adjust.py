@@ -1,7 +1,5 @@
 """What is shown changes as asked; what was handed in never does; faint lines come out."""
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Iterator
@@ -65,14 +63,14 @@ def _contrast(pixels: PixelArray) -> float:
     return float((light[y, x] - beside).mean())
 
 
-def test_a_plain_look_gives_the_very_array() -> None:
+def test_a_plain_look_gives_the_very_array():
     pixels = _noise((20, 30))
     assert DisplayAdjustment().is_identity
     assert adjust_image(pixels, DisplayAdjustment()) is pixels
 
 
 @pytest.mark.parametrize("look", LOOKS)
-def test_the_array_given_stays_as_it_was(look) -> None:
+def test_the_array_given_stays_as_it_was(look):
     pixels = _noise((90, 160))
     before = pixels.copy()
     shown = adjust_image(pixels, look)
@@ -88,11 +86,11 @@ def test_the_array_given_stays_as_it_was(look) -> None:
 
 @pytest.mark.parametrize("look", LOOKS)
 @pytest.mark.parametrize("shape", [(1, 1), (2, 1), (3, 200)])
-def test_pictures_of_any_size(look, shape) -> None:
+def test_pictures_of_any_size(look, shape):
     assert adjust_image(_noise(shape), look).shape == (*shape, 4)
 
 
-def test_a_file_is_not_touched(tmp_path) -> None:
+def test_a_file_is_not_touched(tmp_path):
     path = tmp_path / "frame.png"
     cv2.imwrite(str(path), _noise((20, 30))[..., :3])
     before = path.read_bytes()
@@ -100,7 +98,7 @@ def test_a_file_is_not_touched(tmp_path) -> None:
     assert path.read_bytes() == before
 
 
-def test_brightness_shifts_every_value() -> None:
+def test_brightness_shifts_every_value():
     grey = np.full((4, 4, 4), (100, 120, 140, 255), dtype=np.uint8)
     assert adjust_image(grey, DisplayAdjustment(brightness=0.25))[0, 0].tolist() == [
         132,
@@ -116,7 +114,7 @@ def test_brightness_shifts_every_value() -> None:
     ]
 
 
-def test_contrast_stretches_about_the_middle() -> None:
+def test_contrast_stretches_about_the_middle():
     more, less = (
         tone_curve(DisplayAdjustment(contrast=0.5)).astype(int),
         tone_curve(DisplayAdjustment(contrast=-0.5)),
@@ -126,7 +124,7 @@ def test_contrast_stretches_about_the_middle() -> None:
     assert abs(more[127] - 127) <= 1
 
 
-def test_gamma_lightens_the_dark_and_keeps_black_and_white() -> None:
+def test_gamma_lightens_the_dark_and_keeps_black_and_white():
     lighter, darker = (
         tone_curve(DisplayAdjustment(gamma=2.0)),
         tone_curve(DisplayAdjustment(gamma=0.5)),
@@ -137,14 +135,14 @@ def test_gamma_lightens_the_dark_and_keeps_black_and_white() -> None:
 
 
 @pytest.mark.parametrize("look", LOOKS)
-def test_order_of_values_is_kept(look) -> None:
+def test_order_of_values_is_kept(look):
     assert (np.diff(tone_curve(look).astype(int)) >= 0).all()
 
 
 @pytest.mark.parametrize("grass", [GRASS, (20, 38, 24), (110, 170, 120)])
 @pytest.mark.parametrize("strength", [8, 14, 22])
 @pytest.mark.parametrize("width", [2, 3, 6])
-def test_a_faint_line_becomes_clear(grass, strength, width) -> None:
+def test_a_faint_line_becomes_clear(grass, strength, width):
     picture = _faint_line(grass, strength, width)
     assert (
         _contrast(adjust_image(picture, DisplayAdjustment(enhance=True)))
@@ -153,7 +151,7 @@ def test_a_faint_line_becomes_clear(grass, strength, width) -> None:
     )
 
 
-def test_a_faint_line_beside_boards_becomes_clear_too() -> None:
+def test_a_faint_line_beside_boards_becomes_clear_too():
     picture = _faint_line(GRASS, 14)
     boards = np.array([(0, 0), (959, 0), (959, 310), (0, 160)])  # 20 px above the line
     cv2.fillPoly(picture, [boards], (200, 40, 30, 255))
@@ -162,7 +160,7 @@ def test_a_faint_line_beside_boards_becomes_clear_too() -> None:
     )
 
 
-def test_a_line_comes_out_in_its_place_and_no_wider() -> None:
+def test_a_line_comes_out_in_its_place_and_no_wider():
     picture = _faint_line(GRASS, 20, 5)
     shown = adjust_image(picture, DisplayAdjustment(enhance=True))
 
@@ -181,7 +179,7 @@ def test_a_line_comes_out_in_its_place_and_no_wider() -> None:
     assert widths[1] <= widths[0] + 1
 
 
-def test_what_differs_much_already_is_left_almost_alone() -> None:
+def test_what_differs_much_already_is_left_almost_alone():
     checks = np.kron(np.indices((30, 40)).sum(axis=0) % 2, np.ones((8, 8))) * 100 + 80
     picture = np.full((240, 320, 4), 255, dtype=np.uint8)
     picture[..., :3] = checks[..., None]
@@ -199,7 +197,7 @@ def test_what_differs_much_already_is_left_almost_alone() -> None:
         {"brightness": float("nan")},
     ],
 )
-def test_values_beyond_their_range_are_refused(values) -> None:
+def test_values_beyond_their_range_are_refused(values):
     with pytest.raises(ValueError, match="expected"):
         DisplayAdjustment(**values)
 
@@ -211,7 +209,7 @@ def picture(seed: int) -> PixelArray:
     return np.random.default_rng(seed).integers(0, 255, (90, 160, 4), dtype=np.uint8)
 
 
-def test_what_was_foreseen_is_there_and_is_what_would_be_made() -> None:
+def test_what_was_foreseen_is_there_and_is_what_would_be_made():
     pictures, first, second = DownscaledImages(), picture(1), picture(2)
     pictures.foresee(first)  # nobody knows how small yet
     assert pictures.of(first, 0.4).shape == (36, 64, 4)
@@ -221,14 +219,14 @@ def test_what_was_foreseen_is_there_and_is_what_would_be_made() -> None:
     np.testing.assert_array_equal(small, downscaled(second, (64, 36)))
 
 
-def test_another_size_or_picture_is_made_anew() -> None:
+def test_another_size_or_picture_is_made_anew():
     pictures, first = DownscaledImages(), picture(1)
     assert pictures.of(first, 0.4).shape == (36, 64, 4)
     assert pictures.of(first, 0.7).shape == (63, 112, 4)
     np.testing.assert_array_equal(pictures.of(picture(3), 0.7), downscaled(picture(3), (112, 63)))
 
 
-def test_only_a_few_are_kept() -> None:
+def test_only_a_few_are_kept():
     pictures, first = DownscaledImages(), picture(1)
     small = pictures.of(first, 0.4)
     others = [picture(seed) for seed in range(2, 8)]
@@ -237,13 +235,13 @@ def test_only_a_few_are_kept() -> None:
     assert pictures.of(first, 0.4) is not small
 
 
-def test_thin_lines_stay_below_a_half() -> None:
+def test_thin_lines_stay_below_a_half():
     line = np.zeros((90, 160, 4), dtype=np.uint8)
     line[:, 77] = 255
     assert downscaled(line, (40, 22))[..., 0].max(axis=1).min() > 40
 
 
-def test_what_is_looked_at_stays_while_others_are_foreseen() -> None:
+def test_what_is_looked_at_stays_while_others_are_foreseen():
     pictures, first = DownscaledImages(), picture(1)
     small = pictures.of(first, 0.4)
     for seed in range(2, 9):
@@ -295,7 +293,7 @@ def _wait_for(cache: FrameCache, path: Path) -> None:
         threading.Event().wait(0.001)
 
 
-def test_a_picture_is_decoded_once(cache, pictures, decoded) -> None:
+def test_a_picture_is_decoded_once(cache, pictures, decoded):
     assert cache.peek(pictures[0]) is None
     first = cache.get(pictures[0])
     assert cache.get(pictures[0]) is first
@@ -303,7 +301,7 @@ def test_a_picture_is_decoded_once(cache, pictures, decoded) -> None:
     assert decoded == pictures[:1]
 
 
-def test_the_least_recently_used_picture_leaves_first(cache, pictures) -> None:
+def test_the_least_recently_used_picture_leaves_first(cache, pictures):
     for path in pictures[:3]:
         cache.get(path)
     cache.get(pictures[0])
@@ -313,7 +311,7 @@ def test_the_least_recently_used_picture_leaves_first(cache, pictures) -> None:
     assert cache.used_bytes == 3 * PICTURE_BYTES
 
 
-def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures) -> None:
+def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures):
     cache = FrameCache(10, kept_at_least=2)
     for path in pictures[:3]:
         cache.get(path)
@@ -324,7 +322,7 @@ def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures) ->
     cache.close()
 
 
-def test_prefetched_pictures_are_there_without_asking(cache, pictures, decoded) -> None:
+def test_prefetched_pictures_are_there_without_asking(cache, pictures, decoded):
     cache.prefetch([pictures[1], pictures[1], pictures[2]])
     _wait_for(cache, pictures[2])
     assert decoded == [pictures[1], pictures[2]]
@@ -332,7 +330,7 @@ def test_prefetched_pictures_are_there_without_asking(cache, pictures, decoded) 
     assert decoded == [pictures[1], pictures[2]]
 
 
-def test_prefetching_passes_over_damaged_pictures(cache, pictures, tmp_path) -> None:
+def test_prefetching_passes_over_damaged_pictures(cache, pictures, tmp_path):
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"nothing")
     cache.prefetch([broken, pictures[0]])
@@ -343,7 +341,7 @@ def test_prefetching_passes_over_damaged_pictures(cache, pictures, tmp_path) -> 
     assert cache.get(broken).shape == (4, 4, 4)
 
 
-def test_asking_for_a_picture_on_its_way_waits_for_it(cache, pictures, monkeypatch) -> None:
+def test_asking_for_a_picture_on_its_way_waits_for_it(cache, pictures, monkeypatch):
     started, go_on = threading.Event(), threading.Event()
     decoded: list[Path] = []
 
@@ -365,7 +363,7 @@ def test_asking_for_a_picture_on_its_way_waits_for_it(cache, pictures, monkeypat
     assert decoded == pictures[:1]
 
 
-def test_a_closed_cache_holds_nothing_but_still_reads(cache, pictures) -> None:
+def test_a_closed_cache_holds_nothing_but_still_reads(cache, pictures):
     cache.prefetch(pictures)
     cache.close()
     cache.prefetch(pictures)
@@ -374,7 +372,7 @@ def test_a_closed_cache_holds_nothing_but_still_reads(cache, pictures) -> None:
     assert cache.used_bytes == 0
 
 
-def test_a_picture_that_was_replaced_is_read_again(cache, pictures, decoded) -> None:
+def test_a_picture_that_was_replaced_is_read_again(cache, pictures, decoded):
     cache.get(pictures[0])
     cv2.imwrite(str(pictures[0]), np.zeros((4, 6, 3), dtype=np.uint8))
     assert cache.get(pictures[0]).shape == (4, 6, 4)

@@ -1,7 +1,5 @@
 """Pictures of every kind become the same kind of array, anything else one clear line."""
 
-from __future__ import annotations
-
 import os
 import struct
 import zlib
@@ -72,14 +70,14 @@ def _exif_webp(pixels: NDArray[np.uint8]) -> bytes:
     ],
     ids=["jpg", "png", "png, behind the pixels", "webp"],
 )
-def test_the_size_is_that_of_the_turned_picture(tmp_path, data) -> None:
+def test_the_size_is_that_of_the_turned_picture(tmp_path, data):
     path = tmp_path / "held_upright"
     path.write_bytes(data)
     assert picture_size(path) == (36, 64) == decode_bgra(path).shape[1::-1]
 
 
 @pytest.mark.parametrize("suffix", [".jpg", ".png", ".bmp", ".webp"])
-def test_most_sizes_are_known_without_decoding(tmp_path, suffix) -> None:
+def test_most_sizes_are_known_without_decoding(tmp_path, suffix):
     path = tmp_path / "frame"
     path.write_bytes(_encode(suffix, _plain(64, 36)))
     with path.open("rb") as file:
@@ -87,7 +85,7 @@ def test_most_sizes_are_known_without_decoding(tmp_path, suffix) -> None:
 
 
 @pytest.mark.parametrize("suffix", [".jpg", ".png", ".bmp", ".webp"])
-def test_colour_pictures_become_opaque_bgra(tmp_path, suffix) -> None:
+def test_colour_pictures_become_opaque_bgra(tmp_path, suffix):
     path = tmp_path / f"frame{suffix}"
     path.write_bytes(_encode(suffix, _plain(64, 36)))
     picture = decode_bgra(path)
@@ -99,26 +97,26 @@ def test_colour_pictures_become_opaque_bgra(tmp_path, suffix) -> None:
     assert read_size(path) == (64, 36)
 
 
-def test_sixteen_bits_are_divided_down(tmp_path) -> None:
+def test_sixteen_bits_are_divided_down(tmp_path):
     path = tmp_path / "deep.png"
     path.write_bytes(_encode(".png", _plain(8, 6).astype(np.uint16) * 257))
     np.testing.assert_array_equal(decode_bgra(path)[3, 4], [*COLOUR, 255])
 
 
-def test_grey_is_spread_over_the_channels(tmp_path) -> None:
+def test_grey_is_spread_over_the_channels(tmp_path):
     path = tmp_path / "grey.png"
     path.write_bytes(_encode(".png", np.full((6, 8), 77, dtype=np.uint8)))
     np.testing.assert_array_equal(decode_bgra(path)[3, 4], [77, 77, 77, 255])
 
 
-def test_alpha_is_dropped(tmp_path) -> None:
+def test_alpha_is_dropped(tmp_path):
     path = tmp_path / "alpha.png"
     pixels = np.dstack([_plain(8, 6), np.full((6, 8), 10, dtype=np.uint8)])
     path.write_bytes(_encode(".png", pixels))
     np.testing.assert_array_equal(decode_bgra(path)[3, 4], [*COLOUR, 255])
 
 
-def test_a_picture_taken_upright_is_shown_upright(tmp_path) -> None:
+def test_a_picture_taken_upright_is_shown_upright(tmp_path):
     path = tmp_path / "portrait.jpg"
     pixels = np.zeros((32, 64, 3), dtype=np.uint8)
     pixels[:, :32] = 255
@@ -131,7 +129,7 @@ def test_a_picture_taken_upright_is_shown_upright(tmp_path) -> None:
     assert decode_thumbnail(path).shape == (64, 32, 4)
 
 
-def test_names_may_hold_any_letters(tmp_path) -> None:
+def test_names_may_hold_any_letters(tmp_path):
     path = tmp_path / "Größe 画像 №1.jpg"
     path.write_bytes(_encode(".jpg", _plain(64, 36)))
     assert decode_bgra(path).shape == (36, 64, 4)
@@ -149,7 +147,7 @@ def test_names_may_hold_any_letters(tmp_path) -> None:
         ((3000, 4), (160, 1)),
     ],
 )
-def test_thumbnails_keep_the_shape_and_never_grow(tmp_path, size, expected) -> None:
+def test_thumbnails_keep_the_shape_and_never_grow(tmp_path, size, expected):
     path = tmp_path / "frame.jpg"
     path.write_bytes(_encode(".jpg", _plain(*size)))
     thumbnail = decode_thumbnail(path, max_side=160)
@@ -157,7 +155,7 @@ def test_thumbnails_keep_the_shape_and_never_grow(tmp_path, size, expected) -> N
     np.testing.assert_allclose(thumbnail[0, 0], [*COLOUR, 255], atol=4)
 
 
-def test_what_other_programs_append_to_a_picture_is_left_alone(tmp_path) -> None:
+def test_what_other_programs_append_to_a_picture_is_left_alone(tmp_path):
     path = tmp_path / "longer.png"
     path.write_bytes(_encode(".png", _plain(8, 6)) + b"\xff" * 50)
     assert decode_bgra(path).shape == (6, 8, 4)
@@ -175,7 +173,7 @@ def test_what_other_programs_append_to_a_picture_is_left_alone(tmp_path) -> None
         (_encode(".png", _plain(80, 60))[:-30], "a part of the file"),
     ],
 )
-def test_a_damaged_picture_is_one_line_that_names_it(tmp_path, decode, data, problem) -> None:
+def test_a_damaged_picture_is_one_line_that_names_it(tmp_path, decode, data, problem):
     path = tmp_path / "broken.jpg"
     path.write_bytes(data)
     assert callable(decode)
@@ -185,7 +183,7 @@ def test_a_damaged_picture_is_one_line_that_names_it(tmp_path, decode, data, pro
     assert "\n" not in str(caught.value)
 
 
-def test_a_folder_a_missing_file_and_a_pipe_are_errors(tmp_path) -> None:
+def test_a_folder_a_missing_file_and_a_pipe_are_errors(tmp_path):
     folder = tmp_path / "folder.jpg"
     folder.mkdir()
     with pytest.raises(ImageError, match="is a folder"):
@@ -218,7 +216,7 @@ def _png_of(width: int, height: int) -> bytes:
 @pytest.mark.parametrize("decode", [decode_bgra, decode_thumbnail, read_size])
 def test_a_picture_too_large_for_memory_is_refused_before_it_is_unpacked(
     tmp_path, decode, monkeypatch
-) -> None:
+):
     path = tmp_path / "bomb.png"
     path.write_bytes(_png_of(30000, 30000))
     monkeypatch.setattr(cv2, "imdecode", lambda *_: pytest.fail("it was decoded"))
@@ -227,7 +225,7 @@ def test_a_picture_too_large_for_memory_is_refused_before_it_is_unpacked(
         decode(path)
 
 
-def test_a_hundred_megapixels_are_the_limit(tmp_path) -> None:
+def test_a_hundred_megapixels_are_the_limit(tmp_path):
     path = tmp_path / "wide.png"
     path.write_bytes(_png_of(1_000_000, 100))
     assert read_size(path) == (1_000_000, 100)
@@ -237,7 +235,7 @@ def test_a_hundred_megapixels_are_the_limit(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("flags", [[], [cv2.IMWRITE_JPEG_PROGRESSIVE, 1]])
-def test_the_header_of_a_jpeg_says_its_size(flags) -> None:
+def test_the_header_of_a_jpeg_says_its_size(flags):
     done, data = cv2.imencode(".jpg", _plain(333, 222), flags)
     assert done
     assert header_size(data.tobytes()) == (333, 222)
@@ -245,7 +243,7 @@ def test_the_header_of_a_jpeg_says_its_size(flags) -> None:
 
 
 @pytest.mark.parametrize("quality", [50, 101])  # webp above 100 is without loss
-def test_the_headers_of_the_other_kinds_say_their_size(quality) -> None:
+def test_the_headers_of_the_other_kinds_say_their_size(quality):
     for suffix in (".png", ".bmp"):
         assert header_size(_encode(suffix, _plain(333, 222))) == (333, 222)
     done, data = cv2.imencode(".webp", _plain(333, 222), [cv2.IMWRITE_WEBP_QUALITY, quality])
@@ -259,21 +257,21 @@ def test_the_headers_of_the_other_kinds_say_their_size(quality) -> None:
     assert header_size(top_down) == (8, 6)
 
 
-def test_no_header_that_was_cut_off_is_more_than_an_unknown_size() -> None:
+def test_no_header_that_was_cut_off_is_more_than_an_unknown_size():
     for suffix in (".png", ".jpg", ".bmp", ".webp"):
         data = _encode(suffix, _plain(40, 30))
         for length in range(60):
             assert header_size(data[:length]) in (None, (40, 30))
 
 
-def test_a_picture_of_another_kind_is_refused_whatever_its_name(tmp_path) -> None:
+def test_a_picture_of_another_kind_is_refused_whatever_its_name(tmp_path):
     path = tmp_path / "renamed.png"
     path.write_bytes(_encode(".tiff", _plain(40, 30)))
     with pytest.raises(ImageError, match="not jpg, png, bmp, webp"):
         decode_bgra(path)
 
 
-def test_a_thumbnail_of_a_picture_one_pixel_wide(tmp_path) -> None:
+def test_a_thumbnail_of_a_picture_one_pixel_wide(tmp_path):
     path = tmp_path / "thin.png"
     path.write_bytes(_encode(".png", _plain(1, 3000)))
     assert decode_thumbnail(path).shape == (160, 1, 4)

@@ -1,7 +1,5 @@
 """The paint of a whole picture, and the ground it lies on."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest
@@ -29,7 +27,7 @@ def _beside(found: LinePixels, first: tuple[float, float], last: tuple[float, fl
     return np.abs(way[0] * apart[1] - way[1] * apart[0])
 
 
-def test_a_line_is_found_at_its_middle_with_its_direction() -> None:
+def test_a_line_is_found_at_its_middle_with_its_direction():
     picture = _grass()
     cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
     found = detect_line_pixels(picture)
@@ -40,7 +38,7 @@ def test_a_line_is_found_at_its_middle_with_its_direction() -> None:
     assert found.on_ground.mean() > 0.95
 
 
-def test_the_same_place_in_a_larger_picture() -> None:
+def test_the_same_place_in_a_larger_picture():
     picture = _grass()
     cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
     larger = cv2.resize(picture, (1920, 1080), interpolation=cv2.INTER_LINEAR)
@@ -49,27 +47,27 @@ def test_the_same_place_in_a_larger_picture() -> None:
     assert np.median(_beside(found, (200.5, 400.5), (1600.5, 960.5))) < 0.6
 
 
-def test_the_edge_of_a_mown_stripe_is_no_paint() -> None:
+def test_the_edge_of_a_mown_stripe_is_no_paint():
     picture = _grass()
     picture[300:] = (70, 160, 80)
     assert not detect_line_pixels(picture).points.shape[1]
 
 
-def test_what_does_not_go_on_is_no_paint() -> None:
+def test_what_does_not_go_on_is_no_paint():
     picture = _grass()
     for x in range(100, 900, 60):
         cv2.line(picture, (x, 300), (x + 14, 300), PAINT, 3, cv2.LINE_AA)
     assert not detect_line_pixels(picture).points.shape[1]
 
 
-def test_dark_paint_is_found_where_it_is_asked_for() -> None:
+def test_dark_paint_is_found_where_it_is_asked_for():
     picture = np.full((SIZE[1], SIZE[0], 3), 220, dtype=np.uint8)
     cv2.line(picture, (100, 200), (800, 480), (60, 60, 200), 4, cv2.LINE_AA)
     assert not detect_line_pixels(picture).points.shape[1]
     assert detect_line_pixels(picture, light=False, dark=True).points.shape[1] > 500
 
 
-def test_the_ground_is_what_is_smooth_and_large_with_players_on_it() -> None:
+def test_the_ground_is_what_is_smooth_and_large_with_players_on_it():
     picture = _grass()
     cv2.rectangle(picture, (400, 300), (420, 350), (30, 30, 200), -1)
     ground = field_mask(picture)
@@ -78,7 +76,7 @@ def test_the_ground_is_what_is_smooth_and_large_with_players_on_it() -> None:
     assert ground[55:].all()
 
 
-def test_noise_has_no_ground() -> None:
+def test_noise_has_no_ground():
     crowd = np.random.default_rng(2).integers(0, 255, (540, 960, 3))
     assert not field_mask(crowd.astype(np.uint8)).any()
 
@@ -94,21 +92,21 @@ def _court() -> np.ndarray:
     return picture
 
 
-def test_a_floor_has_the_colours_that_lines_part_and_no_others() -> None:
+def test_a_floor_has_the_colours_that_lines_part_and_no_others():
     ground = detect_line_pixels(_court(), floor=True).ground > 0
     assert ground[24:160].mean() > 0.97  # court and what is around it
     assert not ground[:15].any()
     assert not ground[172:].any()
 
 
-def test_a_line_between_two_colours_of_a_floor_lies_on_it() -> None:
+def test_a_line_between_two_colours_of_a_floor_lies_on_it():
     found = detect_line_pixels(_court(), floor=True)
     side = np.abs(found.points[1] - 150) < 2
     assert side.sum() > 400
     assert found.on_ground[side].all()
 
 
-def test_a_floor_begins_where_paint_is() -> None:
+def test_a_floor_begins_where_paint_is():
     picture = np.full((SIZE[1], SIZE[0], 3), (60, 58, 56), dtype=np.uint8)
     cv2.rectangle(picture, (0, 100), (960, 330), (236, 234, 230), -1)  # ice, less than half
     for x in (200, 400, 600):
@@ -118,7 +116,7 @@ def test_a_floor_begins_where_paint_is() -> None:
     assert not ground[120:].any()
 
 
-def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker() -> None:
+def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker():
     random = np.random.default_rng(3)
     picture = np.full((SIZE[1], SIZE[0], 3), (88, 138, 182), dtype=np.uint8)
     for x, y, long in random.uniform((0, 0, 40), (*SIZE, 120), (2500, 3)).astype(int):
@@ -135,7 +133,7 @@ def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker(
     assert (~both).sum() < 0.6 * grain
 
 
-def test_a_wide_line_is_found_at_its_middle_where_lines_may_be_wide() -> None:
+def test_a_wide_line_is_found_at_its_middle_where_lines_may_be_wide():
     picture = np.full((SIZE[1], SIZE[0], 3), 220, dtype=np.uint8)
     cv2.line(picture, (100, 200), (800, 480), (160, 85, 35), 15, cv2.LINE_AA)
     cv2.line(picture, (100, 400), (600, 500), (60, 60, 200), 3, cv2.LINE_AA)
@@ -160,7 +158,7 @@ def ramp(width: int = 60, height: int = 40) -> np.ndarray:
     return picture
 
 
-def test_rows_are_places_and_columns_offsets() -> None:
+def test_rows_are_places_and_columns_offsets():
     angle = 0.4
     along, across = (np.cos(angle), np.sin(angle)), (-np.sin(angle), np.cos(angle))
     course = np.array([20.0, 12.0]) + np.arange(15)[:, None] * along
@@ -173,7 +171,7 @@ def test_rows_are_places_and_columns_offsets() -> None:
     assert (strip.colours[..., 2] == 200).all()
 
 
-def test_beyond_the_picture_its_edge_goes_on() -> None:
+def test_beyond_the_picture_its_edge_goes_on():
     course = np.array([[30.0, 1.0], [31.0, 0.0], [32.0, -1.0]])
     strip = straighten_curve(ramp(), course, np.tile([0.0, 1.0], (3, 1)), 4.0)
     assert strip.colours[1, :, 1] == pytest.approx(np.maximum(strip.offsets_px, 0.0), abs=0.55)
@@ -181,7 +179,7 @@ def test_beyond_the_picture_its_edge_goes_on() -> None:
     assert far.colours[..., :2].min(axis=(0, 1)) == pytest.approx([59.0, 39.0])
 
 
-def test_columns_stay_inside() -> None:
+def test_columns_stay_inside():
     strip = straighten_curve(
         ramp(), np.array([[20.0, 20.0], [21.0, 20.0]]), np.tile([0, 1], (2, 1)), 3.0
     )

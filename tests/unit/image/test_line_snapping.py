@@ -1,7 +1,5 @@
 """Clicks go to the centre of painted lines, across them only; on grass they stay."""
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 
@@ -64,7 +62,7 @@ class TestDrawnLines:
     @pytest.mark.parametrize("width", [1.5, 3.0, 6.0, 11.0])
     @pytest.mark.parametrize("turn", [0, 17, 45, 88, 133])
     @pytest.mark.parametrize("known", [False, True])
-    def test_the_centre_is_found_from_five_px_away(self, width, turn, known) -> None:
+    def test_the_centre_is_found_from_five_px_away(self, width, turn, known):
         picture, centre, along = drawn(width, turn)
         across = np.array([-along[1], along[0]])
         for away in (-5.0, -2.5, 0.0, 3.3, 5.0):
@@ -76,22 +74,22 @@ class TestDrawnLines:
             slid = abs(float((np.array(found) - click) @ along))
             assert slid < (1e-6 if known else 1.0)  # across only
 
-    def test_a_board_on_one_side_does_not_pull_the_centre(self) -> None:
+    def test_a_board_on_one_side_does_not_pull_the_centre(self):
         picture, centre, along = drawn(4.0, 10, other_side=BOARD)
         found = snap_to_line(picture, (centre[0] + 2, centre[1] + 3))
         assert off_line(found, centre, along) < 0.4
 
-    def test_the_edge_between_two_grounds_is_no_line(self) -> None:
+    def test_the_edge_between_two_grounds_is_no_line(self):
         picture, centre, _ = drawn(0.0, 30, other_side=(60, 150, 75))
         assert snap_to_line(picture, (centre[0], centre[1])) is None
 
-    def test_what_is_out_of_reach_stays(self) -> None:
+    def test_what_is_out_of_reach_stays(self):
         picture, centre, along = drawn(3.0, 0)
         assert snap_to_line(picture, (centre[0], centre[1] + 9)) is None
         found = snap_to_line(picture, (centre[0], centre[1] + 9), reach_px=12)
         assert off_line(found, centre, along) < 0.35
 
-    def test_the_known_direction_decides_at_a_crossing(self) -> None:
+    def test_the_known_direction_decides_at_a_crossing(self):
         level, centre, _ = drawn(3.0, 0, shift=0)
         upright, _, _ = drawn(3.0, 90, shift=0)
         both = np.maximum(level, upright)
@@ -101,20 +99,20 @@ class TestDrawnLines:
         on_upright = snap_to_line(both, click, direction=(0.0, 1.0))
         assert on_upright == pytest.approx((centre[0], click[1]), abs=0.35)
 
-    def test_the_nearer_of_two_lines_wins(self) -> None:
+    def test_the_nearer_of_two_lines_wins(self):
         near, centre, _ = drawn(2.5, 0, shift=0)
         far = np.roll(near, 9, axis=0)
         both = np.maximum(near, far)
         found = snap_to_line(both, (centre[0], centre[1] + 2.5))
         assert found[1] == pytest.approx(centre[1], abs=0.35)
 
-    def test_outside_the_picture_there_is_nothing(self) -> None:
+    def test_outside_the_picture_there_is_nothing(self):
         picture, _, _ = drawn(3.0, 0)
         for place in ((-5.0, 40.0), (40.0, 200.0), (SIDE + 3.0, 40.0)):
             assert snap_to_line(picture, place) is None
         assert np.isnan(snap_points_to_lines(picture, np.array([[-5.0, 40.0]]))).all()
 
-    def test_many_are_found_as_one_by_one(self) -> None:
+    def test_many_are_found_as_one_by_one(self):
         picture, centre, along = drawn(3.0, 20)
         points = centre + np.array([[0, 3], [2, -2], [30, 30]])
         directions = np.tile(along, (3, 1))
@@ -124,7 +122,7 @@ class TestDrawnLines:
             assert np.isnan(row).all() if one is None else row == pytest.approx(one)
 
 
-def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data) -> None:
+def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data):
     picture = decode_bgra(shared_data / "frames" / "bra_mex.jpg")
     data = (shared_data / "frames" / "bra_mex.json").read_bytes()
     annotation = read_annotation(data, path="bra_mex.json", field=FIELD)
@@ -153,7 +151,7 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data) ->
 
 
 @pytest.mark.parametrize("known", [False, True])
-def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data, known) -> None:
+def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data, known):
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_evenly(FIELD, 0.5)
     rng = np.random.default_rng(1)
@@ -181,7 +179,7 @@ def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data, known) -> 
 
 
 @pytest.mark.parametrize("known", [False, True])
-def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data, known) -> None:
+def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data, known):
     """Blue and red lines, 30 cm wide, goal lines, 5 cm: all measured at their middle."""
     folder, field = sample_data / "ice_hockey", load_field("ice_hockey_iihf")
     cameras = CameraSet.open(folder / "cameras" / "true", camera_size=(960, 540))
@@ -209,7 +207,7 @@ def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data, known) 
     assert np.median(errors) <= 0.25
 
 
-def test_plain_grass_never_moves_a_click(sample_data) -> None:
+def test_plain_grass_never_moves_a_click(sample_data):
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_evenly(FIELD, 0.2)
     rng = np.random.default_rng(2)
@@ -240,7 +238,7 @@ def lettered(stroke_px: int, gap_px: int) -> PixelArray:
     return cv2.cvtColor(cv2.GaussianBlur(picture, (0, 0), 0.8), cv2.COLOR_BGR2BGRA)
 
 
-def test_a_letters_stroke_is_no_line_of_any_tone() -> None:
+def test_a_letters_stroke_is_no_line_of_any_tone():
     letters, line = lettered(18, 8), lettered(140, 1)
     for away in (-3.0, 2.0):
         for x in (70.0, 83.0, 96.0):
@@ -251,7 +249,7 @@ def test_a_letters_stroke_is_no_line_of_any_tone() -> None:
             assert found == pytest.approx((x, 39.5), abs=0.35)
 
 
-def test_what_is_farther_off_than_a_hand_errs_must_go_on_for_longer() -> None:
+def test_what_is_farther_off_than_a_hand_errs_must_go_on_for_longer():
     white = LineTarget(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0))
     short = lettered(22, 100)  # from 10 to 32
     assert snap_to_line(short, (20.0, 41.5), white, direction=(1.0, 0.0)) is not None
@@ -261,7 +259,7 @@ def test_what_is_farther_off_than_a_hand_errs_must_go_on_for_longer() -> None:
 
 
 @pytest.mark.parametrize("reach_px", [1.5, 2.5, 4.0])
-def test_nothing_is_placed_beyond_reach(reach_px) -> None:
+def test_nothing_is_placed_beyond_reach(reach_px):
     """At a line's end it is seen beside the position, where askew it is nearer than it is here."""
     picture = lettered(70, 100)  # from 10 to 80
     white = LineTarget(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
@@ -280,7 +278,7 @@ def test_nothing_is_placed_beyond_reach(reach_px) -> None:
 
 
 @pytest.mark.parametrize("turned_deg", [-15.0, 15.0])
-def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_deg) -> None:
+def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_deg):
     picture = lettered(70, 100)  # from 10 to 80
     white = LineTarget(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
     turn = math.radians(turned_deg)
@@ -288,7 +286,7 @@ def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_
     assert found[1] == pytest.approx(39.5, abs=0.6)
 
 
-def test_a_bar_is_as_wide_as_a_camera_shows_it() -> None:
+def test_a_bar_is_as_wide_as_a_camera_shows_it():
     looks = Appearance(BAR, ANY, WHITE, 0.1)
     for px_per_metre, is_it in ((40.0, True), (90.0, False)):
         sought = LineTarget.of(looks, 960, px_per_metre)
@@ -313,7 +311,7 @@ EXPECTED = {
 
 
 @pytest.mark.soak  # data/test_paint_on_frames is the taste
-def test_clicks_go_to_the_paint_or_stay(shared_data) -> None:
+def test_clicks_go_to_the_paint_or_stay(shared_data):
     moved: dict[tuple[str, str], list[float]] = defaultdict(list)
     clicks: dict[tuple[str, str], int] = defaultdict(int)
     for frame in truth_frames()[::2]:

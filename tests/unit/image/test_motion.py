@@ -1,7 +1,5 @@
 """The motion found between two pictures is the camera's, not the players' and not the graphics'."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -31,9 +29,7 @@ class Stadium:
 
     @property
     def camera(self) -> PinholeCamera:
-        camera = soccer.views()[self.number - 1].camera
-        assert isinstance(camera, PinholeCamera)
-        return camera
+        return soccer.views()[self.number - 1].camera
 
     def draw(self, camera: PinholeCamera, moment: int) -> Pixels:
         scene = scenery.draw_scenery(soccer.ARENA, camera, SIZE, self.number)
@@ -127,7 +123,7 @@ def first_pictures() -> dict[int, Pixels]:
         for is_soak in [(name, number) not in (("pan", 2), ("all", 13))]
     ],
 )
-def test_lines_are_found_again_after_the_camera_moved(first_pictures, number, move) -> None:
+def test_lines_are_found_again_after_the_camera_moved(first_pictures, number, move):
     stadium = Stadium(number)
     before, now = stadium.camera, move(stadium.camera)
     motion = estimate_motion(first_pictures[number], _bgra(stadium.draw(now, 2)))
@@ -137,7 +133,7 @@ def test_lines_are_found_again_after_the_camera_moved(first_pictures, number, mo
 
 
 @pytest.mark.parametrize("shift", [0.012, pytest.param(0.1, marks=pytest.mark.soak)])
-def test_noise_compression_and_graphics_do_not_decide(shift) -> None:
+def test_noise_compression_and_graphics_do_not_decide(shift):
     stadium = Stadium(2)
     before, now = stadium.camera, _turned(stadium.camera, right=shift)
     pictures = [
@@ -149,14 +145,14 @@ def test_noise_compression_and_graphics_do_not_decide(shift) -> None:
     assert np.percentile(error, 95) < 4
 
 
-def test_another_camera_is_no_motion(sample_data) -> None:
+def test_another_camera_is_no_motion(sample_data):
     names = ("00001", "00007", "00009", "00013")
     pictures = [decode_bgra(sample_data / f"{name}.jpg") for name in names]
     for i, j in ((0, 1), (1, 2), (2, 3), (3, 0)):
         assert estimate_motion(pictures[i], pictures[j]) is None
 
 
-def test_the_same_graphics_on_another_camera_are_no_motion(sample_data) -> None:
+def test_the_same_graphics_on_another_camera_are_no_motion(sample_data):
     pictures = [
         _bgra(_with_graphics(np.ascontiguousarray(decode_bgra(path)[..., :3])))
         for path in (sample_data / "00007.jpg", sample_data / "00010.jpg")
@@ -164,7 +160,7 @@ def test_the_same_graphics_on_another_camera_are_no_motion(sample_data) -> None:
     assert estimate_motion(*pictures) is None
 
 
-def test_what_has_nothing_to_see_or_is_turned_over_is_no_motion(sample_data) -> None:
+def test_what_has_nothing_to_see_or_is_turned_over_is_no_motion(sample_data):
     picture = decode_bgra(sample_data / "00002.jpg")
     noise = np.random.default_rng(1).integers(0, 255, picture.shape, dtype=np.uint8)
     for other in (
@@ -180,7 +176,7 @@ def test_what_has_nothing_to_see_or_is_turned_over_is_no_motion(sample_data) -> 
 
 
 @pytest.mark.parametrize("number", ["00002", "00009", "00013"])
-def test_a_camera_that_stands_still_does_not_move(sample_data, number) -> None:
+def test_a_camera_that_stands_still_does_not_move(sample_data, number):
     picture = decode_bgra(sample_data / f"{number}.jpg")
     motion = estimate_motion(picture, picture)
     np.testing.assert_allclose(motion.current_from_previous, np.eye(3), atol=0.02)
@@ -193,7 +189,7 @@ def test_a_camera_that_stands_still_does_not_move(sample_data, number) -> None:
     np.testing.assert_allclose(transfer_points(motion, corners), corners, atol=2)
 
 
-def test_pictures_may_differ_in_size(sample_data) -> None:
+def test_pictures_may_differ_in_size(sample_data):
     picture = decode_bgra(sample_data / "00002.jpg")
     small = np.asarray(cv2.resize(picture, (640, 360), interpolation=cv2.INTER_AREA))
     motion = estimate_motion(picture, small)
@@ -208,7 +204,7 @@ def test_pictures_may_differ_in_size(sample_data) -> None:
     np.testing.assert_allclose(transfer_points(motion, middle), middle - (200, 0), atol=0.3)
 
 
-def test_points_behind_the_camera_go_nowhere() -> None:
+def test_points_behind_the_camera_go_nowhere():
     homography = np.array([[1, 0, 5], [0, 1, 0], [-0.01, 0, 1]], dtype=np.float64)
     motion = CameraMotion(homography, 50, 60)
     moved = transfer_points(motion, np.array([(50.0, 10.0), (100.0, 0.0), (200.0, 0.0)]))
@@ -221,7 +217,7 @@ def test_points_behind_the_camera_go_nowhere() -> None:
     ("zoom", "right", "down", "turn"),
     [(1, 130, 0, 0), (1, 12, -5, 0), (1, 2, 0, 0), (1.2, -100, -60, 0), (0.85, 60, 30, 0.01)],
 )
-def test_a_real_picture_under_graphics(shared_data, zoom, right, down, turn) -> None:
+def test_a_real_picture_under_graphics(shared_data, zoom, right, down, turn):
     path = shared_data / "frames" / "bra_mex.jpg"
     if not path.is_file():
         pytest.skip("the real picture is not here")

@@ -1,7 +1,5 @@
 """Frame n of a video is the n-th that decoding gives, whatever was asked for before."""
 
-from __future__ import annotations
-
 import os
 import threading
 from contextlib import suppress
@@ -69,7 +67,7 @@ KINDS = [
 
 
 @pytest.mark.parametrize(("code", "suffix"), KINDS)
-def test_any_order_of_asking_gives_exactly_the_frame(tmp_path, code, suffix) -> None:
+def test_any_order_of_asking_gives_exactly_the_frame(tmp_path, code, suffix):
     count = 130
     path = _write(tmp_path / f"match{suffix}", code, [_frame(n) for n in range(count)])
     jumps = np.random.default_rng(3).integers(0, count, 25).tolist()
@@ -81,7 +79,7 @@ def test_any_order_of_asking_gives_exactly_the_frame(tmp_path, code, suffix) -> 
             assert _number(video.frame(n)) == n
 
 
-def test_frames_are_opaque_bgra_that_nobody_can_change(tmp_path) -> None:
+def test_frames_are_opaque_bgra_that_nobody_can_change(tmp_path):
     path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(3)])
     with Video.open(path) as video:
         picture = video.frame(1)
@@ -94,7 +92,7 @@ def test_frames_are_opaque_bgra_that_nobody_can_change(tmp_path) -> None:
     assert np.abs(picture[..., :3].astype(int) - _frame(1)).mean() < 4
 
 
-def test_threads_share_a_video(tmp_path) -> None:
+def test_threads_share_a_video(tmp_path):
     path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(60)])
     video = Video.open(path)
     wrong: list[tuple[int, int]] = []
@@ -114,7 +112,7 @@ def test_threads_share_a_video(tmp_path) -> None:
     assert wrong == []
 
 
-def test_asking_beyond_the_end_or_after_closing_names_video_and_frame(tmp_path) -> None:
+def test_asking_beyond_the_end_or_after_closing_names_video_and_frame(tmp_path):
     path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(5)])
     video = Video.open(path)
     for n in (-1, 5, 10_000):
@@ -129,9 +127,7 @@ def test_asking_beyond_the_end_or_after_closing_names_video_and_frame(tmp_path) 
 @pytest.mark.parametrize(
     ("code", "suffix"), [("XVID", ".avi"), ("mpg2", ".avi"), ("VP80", ".mkv"), ("h264", ".mp4")]
 )
-def test_a_video_that_was_cut_off_has_the_frames_that_are_left_and_says_so(
-    tmp_path, code, suffix
-) -> None:
+def test_a_video_that_was_cut_off_has_the_frames_that_are_left_and_says_so(tmp_path, code, suffix):
     frames = [_frame(n) for n in range(80)]
     path = tmp_path / f"a{suffix}"
     path = _write_h264(path, frames) if code == "h264" else _write(path, code, frames)
@@ -168,7 +164,7 @@ def _write_h264(path: Path, frames: list[Pixels], pixel_aspect: Fraction = Fract
 @pytest.mark.parametrize(("aspect", "state"), [(Fraction(1), SURE), (Fraction(4, 3), UNSURE)])
 def test_a_camera_is_not_sure_if_the_video_says_that_its_pixels_are_not_square(
     tmp_path, aspect, state
-) -> None:
+):
     path = _write_h264(tmp_path / "a.mp4", [_frame(n) for n in range(3)], aspect)
     fit = FitResult("R", (WIDTH, HEIGHT), None)
     found = mark_non_square_pixels(
@@ -183,9 +179,7 @@ def test_a_camera_is_not_sure_if_the_video_says_that_its_pixels_are_not_square(
     ("suffix", "spoilt"),
     [(".mp4", "zeros"), (".mp4", "random"), (".mkv", "zeros"), (".ts", "zeros")],
 )
-def test_damaged_frames_are_refused_and_the_others_keep_number_and_pixels(
-    tmp_path, suffix, spoilt
-) -> None:
+def test_damaged_frames_are_refused_and_the_others_keep_number_and_pixels(tmp_path, suffix, spoilt):
     """Packets of three groups of frames are spoilt, in the second one 8 in a row."""
     path = _write_h264(tmp_path / f"a{suffix}", [_frame(n) for n in range(75)])
     with Video.open(path) as video:
@@ -212,7 +206,7 @@ def test_damaged_frames_are_refused_and_the_others_keep_number_and_pixels(
 
 
 @pytest.mark.parametrize("damage", ["packet 9", "packet 40", "half of the last packet"])
-def test_a_matroska_file_that_ends_early_says_so_and_keeps_its_numbers(tmp_path, damage) -> None:
+def test_a_matroska_file_that_ends_early_says_so_and_keeps_its_numbers(tmp_path, damage):
     """Its reader gives up at a damaged packet; the last frames are shown in another order."""
     path = _write_h264(tmp_path / "a.mkv", [_frame(n) for n in range(60)])
     with av.open(str(path)) as container:
@@ -245,7 +239,7 @@ def test_a_matroska_file_that_ends_early_says_so_and_keeps_its_numbers(tmp_path,
         (b"\x1a\x45\xdf\xa3" + bytes(200), "cannot be opened as a video"),
     ],
 )
-def test_what_is_no_video_is_one_line_that_names_it(tmp_path, suffix, data, problem) -> None:
+def test_what_is_no_video_is_one_line_that_names_it(tmp_path, suffix, data, problem):
     path = tmp_path / f"broken{suffix}"
     path.write_bytes(data)
     with pytest.raises(ImageError, match=problem) as caught:
@@ -254,7 +248,7 @@ def test_what_is_no_video_is_one_line_that_names_it(tmp_path, suffix, data, prob
     assert "\n" not in str(caught.value)
 
 
-def test_a_missing_file_and_a_folder_are_errors(tmp_path) -> None:
+def test_a_missing_file_and_a_folder_are_errors(tmp_path):
     with pytest.raises(ImageError, match="No such file"):
         Video.open(tmp_path / "gone.mp4")
     with pytest.raises(ImageError, match="No such file"):
@@ -264,7 +258,7 @@ def test_a_missing_file_and_a_folder_are_errors(tmp_path) -> None:
         Video.open(tmp_path / "folder.mp4")
 
 
-def test_frames_at_an_interval(tmp_path) -> None:
+def test_frames_at_an_interval(tmp_path):
     path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(101)])
     with Video.open(path) as video:
         assert frames_at_interval(video, 1.0) == [0, 25, 50, 75, 100]
@@ -296,7 +290,7 @@ def cut_video(tmp_path_factory) -> Path:
     return _write(tmp_path_factory.mktemp("cuts") / "cuts.mp4", "mp4v", scenes)
 
 
-def test_cuts_are_found_and_pans_and_flashes_are_none(cut_video) -> None:
+def test_cuts_are_found_and_pans_and_flashes_are_none(cut_video):
     told: list[tuple[int, int]] = []
     with Video.open(cut_video) as video:
         cuts = scene_cuts(video, progress=lambda *t: told.append(t), cancelled=lambda: False)
@@ -306,7 +300,7 @@ def test_cuts_are_found_and_pans_and_flashes_are_none(cut_video) -> None:
     assert told == sorted(told)
 
 
-def test_a_search_for_cuts_can_be_stopped(cut_video) -> None:
+def test_a_search_for_cuts_can_be_stopped(cut_video):
     asked: list[bool] = []
 
     def cancelled() -> bool:
@@ -317,7 +311,7 @@ def test_a_search_for_cuts_can_be_stopped(cut_video) -> None:
         assert scene_cuts(video, progress=None, cancelled=cancelled) == [0, 30]
 
 
-def test_a_path_below_a_video_is_a_frame_of_it(tmp_path) -> None:
+def test_a_path_below_a_video_is_a_frame_of_it(tmp_path):
     video = _write(tmp_path / "match.MP4", "mp4v", [_frame(n) for n in range(40)])
     assert video_frame_of_path(video / "00000012") == (video, 12)
     assert video_frame_of_path(video) is None
@@ -335,7 +329,7 @@ def test_a_path_below_a_video_is_a_frame_of_it(tmp_path) -> None:
             decode(video / "first.jpg")
 
 
-def test_a_folder_with_the_name_of_a_video_is_a_folder(tmp_path) -> None:
+def test_a_folder_with_the_name_of_a_video_is_a_folder(tmp_path):
     folder = tmp_path / "stills.mp4"
     folder.mkdir()
     path = folder / "0001.png"
@@ -343,7 +337,7 @@ def test_a_folder_with_the_name_of_a_video_is_a_folder(tmp_path) -> None:
     assert _number(decode_bgra(path)) == 5
 
 
-def test_a_video_that_was_replaced_is_read_anew(tmp_path) -> None:
+def test_a_video_that_was_replaced_is_read_anew(tmp_path):
     path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(4)])
     assert _number(decode_bgra(path / "1")) == 1
     assert open_shared_video(path) is open_shared_video(path)

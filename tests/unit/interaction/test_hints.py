@@ -1,7 +1,5 @@
 """The status bar promises only what the tools do, and leaves none of the three questions open."""
 
-from __future__ import annotations
-
 import copy
 from dataclasses import dataclass, field, replace
 
@@ -90,7 +88,7 @@ every_state = pytest.mark.parametrize("name", STATES)
 
 
 @every_state
-def test_click_enter_and_escape_are_answered(name) -> None:
+def test_click_enter_and_escape_are_answered(name):
     text = STATES[name].say()
     assert "Enter" in text
     assert "Esc" in text
@@ -98,7 +96,7 @@ def test_click_enter_and_escape_are_answered(name) -> None:
 
 
 @every_state
-def test_the_three_answers_come_before_further_keys(name) -> None:
+def test_the_three_answers_come_before_further_keys(name):
     words = STATES[name].say().split(SEPARATOR)
     extras = ("Backspace", "Delete", "arrows", "Ctrl+Enter")
     answers = [i for i, w in enumerate(words) if w.startswith(("Enter", "Esc", "click"))]
@@ -107,7 +105,7 @@ def test_the_three_answers_come_before_further_keys(name) -> None:
 
 
 @every_state
-def test_enter_and_escape_do_something_exactly_if_announced(name) -> None:
+def test_enter_and_escape_do_something_exactly_if_announced(name):
     state = STATES[name]
     if state.context is None or state.blocked:
         assert "click, Enter and Esc do nothing" in state.say()
@@ -122,40 +120,40 @@ def test_enter_and_escape_do_something_exactly_if_announced(name) -> None:
 
 
 @every_state
-def test_delete_is_announced_only_where_it_works(name) -> None:
+def test_delete_is_announced_only_where_it_works(name):
     state = STATES[name]
     if "Delete removes" in state.say():
         assert state.context is not None
         assert state.edit.key("Delete", state.context).edit is not None
 
 
-def test_a_point_that_undo_took_away_is_not_spoken_of() -> None:
+def test_a_point_that_undo_took_away_is_not_spoken_of():
     gone = replace(POINT, selected_point=(NAME, 7))
     assert "arrows" not in State("edit", gone).say()
     assert not EditTool().key("Left", gone).handled
     assert EditTool().key("Escape", gone).handled
 
 
-def test_counts_are_those_of_the_polylines() -> None:
+def test_counts_are_those_of_the_polylines():
     assert "1 point" in STATES["drawing, one point"].say()
     assert "3 points" in STATES["drawing, three points"].say()
     assert "after its 3 points" in State("draw", replace(CHOSEN, continues=True)).say()
     assert "continues it after" not in STATES["draw, an annotated class"].say()
 
 
-def test_a_class_the_field_does_not_know_is_called_as_in_the_file() -> None:
+def test_a_class_the_field_does_not_know_is_called_as_in_the_file():
     strange = FrameAnnotation((Polyline("Corner flag", (Point(0.5, 0.5),)),))
     context = ToolContext(strange, SIZE, 1.0, "Corner flag")
     assert "Corner flag" in State("edit", context).say()
 
 
-def test_blind_says_how_to_see_the_projection() -> None:
+def test_blind_says_how_to_see_the_projection():
     text = STATES["drawing, blind"].say()
     assert text.startswith("BLIND")
     assert "Ctrl+Enter commits the frame" in text
 
 
-def test_a_blocked_frame_says_why() -> None:
+def test_a_blocked_frame_says_why():
     assert "7.json: line 3: expected a number" in STATES["blocked"].say()
 
 
@@ -166,53 +164,53 @@ class TestGhosts:
         return State(mode, FREE, ghosts=replace(self.LOOKED_AT, points=points)).say()
 
     @pytest.mark.parametrize("mode", ["draw", "edit"])
-    def test_of_the_current_one_click_enter_and_escape_come_first(self, mode) -> None:
+    def test_of_the_current_one_click_enter_and_escape_come_first(self, mode):
         first, click, enter, escape, *_ = self.say(mode, 9).split(SEPARATOR)
         assert first == f"GHOST {FIELD.title_of(NAME)}"
         assert "click" in click
         assert enter == "Enter accepts 9 points"
         assert escape == "Esc goes back"
 
-    def test_enter_promises_nothing_that_is_not_there(self) -> None:
+    def test_enter_promises_nothing_that_is_not_there(self):
         assert "Enter accepts it" in self.say("draw", None).split(SEPARATOR)
         assert "Enter does nothing: no line is found along it" in self.say("draw", 0)
 
-    def test_without_a_current_one_it_is_said_how_to_get_there(self) -> None:
+    def test_without_a_current_one_it_is_said_how_to_get_there(self):
         text = State("draw", CHOSEN, ghosts=GhostHint(7)).say()
         assert "Tab: first of 7 ghosts" in text
         assert "Shift+Enter: accept all" in text
 
-    def test_a_narrow_window_shows_them_before_further_keys(self) -> None:
+    def test_a_narrow_window_shows_them_before_further_keys(self):
         context = replace(CHOSEN, continues=True, snap=lambda name, position, direction: position)
         words = State("draw", context, ghosts=GhostHint(7)).say().split(SEPARATOR)
         assert words[4:6] == ["Tab: first of 7 ghosts", "Shift+Enter: accept all"]
         assert "Ctrl" in words[6]
 
-    def test_behind_a_walk_that_was_left_comes_the_next_one(self) -> None:
+    def test_behind_a_walk_that_was_left_comes_the_next_one(self):
         text = State("draw", CHOSEN, ghosts=GhostHint(7, resumes=True)).say()
         assert "Tab: next of 7 ghosts" in text
 
     @pytest.mark.parametrize("context", [FREE, CHOSEN])
-    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(self, context) -> None:
+    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(self, context):
         text = State("draw", context, ghosts=GhostHint(7, coming=True)).say()
         assert text.startswith("GHOST the next one comes in a moment")
         assert "Enter does nothing yet" in text
         assert "Esc goes back" in text
         assert "Tab" not in text
 
-    def test_in_a_frame_that_cannot_be_edited_they_can_be_looked_at(self) -> None:
+    def test_in_a_frame_that_cannot_be_edited_they_can_be_looked_at(self):
         text = State("draw", FREE, blocked="Ada has it", ghosts=self.LOOKED_AT).say()
         assert text.startswith("READ ONLY")
         assert "click and Enter do nothing" in text
         assert "Esc goes back" in text
         assert "Tab goes on" in text
 
-    def test_while_something_is_drawn_or_held_ghosts_are_not_mentioned(self) -> None:
+    def test_while_something_is_drawn_or_held_ghosts_are_not_mentioned(self):
         drawing = State("draw", CHOSEN, DrawTool(NAME, [(1, 2)]), ghosts=GhostHint(7))
         held = State("edit", POINT, edit=dragging(), ghosts=GhostHint(7))
         assert "ghost" not in drawing.say() + held.say()
 
-    def test_an_unconfirmed_element_is_what_shift_enter_means(self) -> None:
+    def test_an_unconfirmed_element_is_what_shift_enter_means(self):
         waiting = replace(
             NOTHING, annotation=FrameAnnotation(unconfirmed=LINE.polylines), selected_class=NAME
         )

@@ -1,7 +1,5 @@
 """The legend explains what is on the picture, and nothing else."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -41,7 +39,7 @@ def texts(setup: EvaluationSetup, annotation: FrameAnnotation) -> list[str]:
     return [entry.text for entry in entries]
 
 
-def test_only_verdicts_that_occur(setup) -> None:
+def test_only_verdicts_that_occur(setup):
     shown = list(project_field(CAMERA, setup).pieces)
     everything = FrameAnnotation(tuple(polyline(setup, name) for name in shown))
     assert texts(setup, everything) == [
@@ -59,7 +57,7 @@ def test_only_verdicts_that_occur(setup) -> None:
     ]
 
 
-def test_distances_are_of_the_evaluation_not_of_the_picture(setup) -> None:
+def test_distances_are_of_the_evaluation_not_of_the_picture(setup):
     name = next(iter(project_field(CAMERA, setup).pieces))
     annotation = FrameAnnotation((polyline(setup, name, 30.0),))
     measurement = measure(annotation, CAMERA, setup)
@@ -68,7 +66,7 @@ def test_distances_are_of_the_evaluation_not_of_the_picture(setup) -> None:
     assert entries[-1].text == f"distances: px of {setup.size[0]}x{setup.size[1]}"
 
 
-def test_looks_are_those_of_the_overlay(setup) -> None:
+def test_looks_are_those_of_the_overlay(setup):
     name = next(iter(project_field(CAMERA, setup).pieces))
     annotation = FrameAnnotation((polyline(setup, name, 30.0),))
     measurement = measure(annotation, CAMERA, setup)
@@ -80,7 +78,7 @@ def test_looks_are_those_of_the_overlay(setup) -> None:
     assert absent.lines[0].dash == palette.STATUS_DASHES["not_annotated"]
 
 
-def test_without_a_camera_classes_are_named(setup) -> None:
+def test_without_a_camera_classes_are_named(setup):
     element = setup.field.elements[3]
     unknown = Polyline("Advertising", (Point(0.1, 0.1),))
     known = Polyline(element.name, (Point(0.1, 0.1),))
@@ -91,7 +89,7 @@ def test_without_a_camera_classes_are_named(setup) -> None:
     assert entries[1].lines[0].dash == palette.UNKNOWN_CLASS_DASH
 
 
-def test_elements_without_a_verdict_and_unconfirmed_ones(setup) -> None:
+def test_elements_without_a_verdict_and_unconfirmed_ones(setup):
     planar = EvaluationSetup(setup.field, SIZE, "procc", planar_only=True)
     goal = next(e.name for e in setup.field.elements if not e.on_ground)
     waiting = Polyline("Circle central", (Point(0.5, 0.5),))

@@ -1,7 +1,5 @@
 """The element offered next: what the frame before had, the same rectangle, then neighbours."""
 
-from __future__ import annotations
-
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
@@ -16,7 +14,7 @@ def annotated(*names: str) -> FrameAnnotation:
     return FrameAnnotation(tuple(Polyline(n, (Point(0.5, 0.5),)) for n in names))
 
 
-def test_the_same_rectangle_comes_first_by_what_meets() -> None:
+def test_the_same_rectangle_comes_first_by_what_meets():
     first = "Big rect. left main"
     order = [first]
     while len(order) < 4:
@@ -27,20 +25,20 @@ def test_the_same_rectangle_comes_first_by_what_meets() -> None:
     assert order[1] in touching_elements(FIELD, first)
 
 
-def test_what_the_frame_before_had_comes_before_the_rest() -> None:
+def test_what_the_frame_before_had_comes_before_the_rest():
     seen = ("Side line top", "Middle line", "Circle left")
     assert next_element(FIELD, annotated("Middle line"), "Middle line", seen) == "Side line top"
     drawn = annotated("Circle left", "Middle line")
     assert next_element(FIELD, drawn, "Circle left", seen) == "Side line top"
 
 
-def test_another_view_than_the_frame_before_goes_by_the_field_alone() -> None:
+def test_another_view_than_the_frame_before_goes_by_the_field_alone():
     seen = ("Side line top", "Middle line")
     following = next_element(FIELD, annotated("Circle right"), "Circle right", seen)
     assert following == "Big rect. right main"
 
 
-def test_nothing_is_offered_when_all_is_done_or_nothing_is_known() -> None:
+def test_nothing_is_offered_when_all_is_done_or_nothing_is_known():
     everything = annotated(*(e.name for e in FIELD.elements))
     assert next_element(FIELD, everything, "Middle line") is None
     assert next_element(FIELD, annotated(), None) is None
@@ -48,7 +46,7 @@ def test_nothing_is_offered_when_all_is_done_or_nothing_is_known() -> None:
     assert next_element(FIELD, annotated(), "Line unknown") is None
 
 
-def test_what_a_set_need_not_have_comes_where_the_frame_before_had_it() -> None:
+def test_what_a_set_need_not_have_comes_where_the_frame_before_had_it():
     needed = [e.name for e in FIELD.elements if not e.optional]
     corner = "Corner arc left top"
     assert next_element(FIELD, annotated(corner), corner) in needed
@@ -59,7 +57,7 @@ def test_what_a_set_need_not_have_comes_where_the_frame_before_had_it() -> None:
     assert following == "Penalty mark left"
 
 
-def test_elements_meet_where_the_laws_of_the_game_say() -> None:
+def test_elements_meet_where_the_laws_of_the_game_say():
     assert set(touching_elements(FIELD, "Circle left")) == {"Big rect. left main"}
     assert set(touching_elements(FIELD, "Middle line")) == {
         "Centre mark", "Circle central", "Side line bottom", "Side line top"
@@ -70,7 +68,7 @@ def test_elements_meet_where_the_laws_of_the_game_say() -> None:
             assert element.name in touching_elements(FIELD, other)
 
 
-def test_what_a_camera_suggests_comes_first_and_what_it_has_not_in_sight_never() -> None:
+def test_what_a_camera_suggests_comes_first_and_what_it_has_not_in_sight_never():
     drawn = annotated("Big rect. left main")
     plain = next_element(FIELD, drawn, "Big rect. left main")
     assert plain is not None
@@ -92,7 +90,7 @@ def test_what_a_camera_suggests_comes_first_and_what_it_has_not_in_sight_never()
     assert next_element(FIELD, drawn, "Big rect. left main", out_of_sight=everything) is None
 
 
-def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_elsewhere() -> None:
+def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_elsewhere():
     group = [e.name for e in FIELD.elements if e.group == "Left penalty area"]
     gains = {**dict.fromkeys(group, 1.0), "Middle line": 1.9}
     drawn, order = [group[1]], [group[1]]
@@ -121,12 +119,12 @@ def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_else
         ("open", "Zoom in", False),
     ],
 )
-def test_letters_in_order(query, name, found) -> None:
+def test_letters_in_order(query, name, found):
     assert (loose_rank(query, name) is not None) is found
     assert match_rank(query, name) is None
 
 
-def test_what_fits_closer_comes_first() -> None:
+def test_what_fits_closer_comes_first():
     names = ["Snap", "Snap to lines", "Do snap", "Unsnap", "Send map"]
     ranks = [loose_rank("snap", name) for name in names]
     assert all(rank is not None for rank in ranks)
@@ -144,5 +142,5 @@ def test_what_fits_closer_comes_first() -> None:
         ("regulraise qq", "Regularise all elements", False),
     ],
 )
-def test_misspelt_words(query, name, found) -> None:
+def test_misspelt_words(query, name, found):
     assert misspelt(query, name) is found

@@ -1,7 +1,5 @@
 """What is drawn tells the truth: colours by verdict, whiskers to the projection, nothing blind."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -72,7 +70,7 @@ def marks(found: Overlay, shape: str, colour: str) -> np.ndarray:
     return np.concatenate(parts)
 
 
-def test_a_passing_element_is_green_with_dots() -> None:
+def test_a_passing_element_is_green_with_dots():
     found = overlay(FrameAnnotation((middle_line(2.0),)))
     assert len(segments(found, "annotation", tones.PASSES)) == 1
     assert len(marks(found, "dot", tones.PASSES)) == 2
@@ -80,7 +78,7 @@ def test_a_passing_element_is_green_with_dots() -> None:
     assert len(segments(found, "projection", tones.NOT_ANNOTATED)) > 0
 
 
-def test_a_failing_element_has_crosses_whiskers_and_distances() -> None:
+def test_a_failing_element_has_crosses_whiskers_and_distances():
     found = overlay(FrameAnnotation((middle_line(7.2),)))
     assert len(segments(found, "annotation", tones.TOO_FAR)) == 1
     whiskers = segments(found, "whisker", tones.TOO_FAR)
@@ -90,7 +88,7 @@ def test_a_failing_element_has_crosses_whiskers_and_distances() -> None:
     assert found.labels[0].texts == ("7.2", "7.2")
 
 
-def test_an_element_the_camera_does_not_show_is_purple_dots() -> None:
+def test_an_element_the_camera_does_not_show_is_purple_dots():
     goal = Polyline("Goal left crossbar", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
     found = overlay(FrameAnnotation((goal,)))
     (stroke,) = [s for s in found.strokes if len(s.segments) and s.layer == "annotation"]
@@ -98,7 +96,7 @@ def test_an_element_the_camera_does_not_show_is_purple_dots() -> None:
     assert len(marks(found, "ring", tones.MISSED)) == 2
 
 
-def test_the_projection_is_scaled_to_the_picture() -> None:
+def test_the_projection_is_scaled_to_the_picture():
     found = overlay(FrameAnnotation((middle_line(0.0),)))
     projected = segments(found, "projection", tones.PASSES)
     annotated = segments(found, "annotation", tones.PASSES)
@@ -106,7 +104,7 @@ def test_the_projection_is_scaled_to_the_picture() -> None:
     assert projected.max() <= 1279
 
 
-def test_blind_shows_nothing_of_the_camera() -> None:
+def test_blind_shows_nothing_of_the_camera():
     annotation = FrameAnnotation((middle_line(7.2),))
     blind = overlay(annotation, with_projection=False)
     assert not any(len(s.segments) for s in blind.strokes if s.layer in ("projection", "whisker"))
@@ -116,7 +114,7 @@ def test_blind_shows_nothing_of_the_camera() -> None:
     assert len(marks(blind, "handle", element.colour)) == 2
 
 
-def test_two_overlays_can_be_compared_row_by_row() -> None:
+def test_two_overlays_can_be_compared_row_by_row():
     one = overlay(FrameAnnotation((middle_line(7.2),)), selection="Middle line")
     two = overlay(FrameAnnotation((middle_line(1.0),)), draft=Draft("Circle left", ((1, 2),)))
     assert len(one.strokes) == len(two.strokes)
@@ -125,7 +123,7 @@ def test_two_overlays_can_be_compared_row_by_row() -> None:
     assert len(plain.labels) == len(one.labels)
 
 
-def test_selection_highlight_draft_and_the_name_at_the_cursor() -> None:
+def test_selection_highlight_draft_and_the_name_at_the_cursor():
     annotation = FrameAnnotation((middle_line(1.0),))
     found = overlay(
         annotation, selection=("Middle line", 1), highlight="Middle line", pointer=(5.0, 6.0)
@@ -141,7 +139,7 @@ def test_selection_highlight_draft_and_the_name_at_the_cursor() -> None:
     assert band[0].segments.tolist() == [[3, 4, 9, 9]]
 
 
-def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
+def test_mirrored_labels_colour_what_the_annotator_drew():
     """The whole frame labelled as the other end: the official evaluation counts it as right."""
     right = PinholeCamera(
         math.radians(35), math.radians(76), 0, (0, 60, -15), (1300, 1300), (479.5, 269.5)
@@ -157,7 +155,7 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
 
 
 @pytest.mark.parametrize("colour_by", ["criterion", "class"])
-def test_an_unknown_class_is_drawn_too(colour_by) -> None:
+def test_an_unknown_class_is_drawn_too(colour_by):
     flag = Polyline("Corner flag", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
     found = OverlayBuilder().build(
         OverlayContent(
@@ -172,7 +170,7 @@ def test_an_unknown_class_is_drawn_too(colour_by) -> None:
     assert len(marks(found, "handle", tones.UNKNOWN_CLASS)) == 2
 
 
-def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
+def test_what_stays_is_the_very_same_in_the_next_overlay():
     """A drag of one element makes its own groups anew, and nothing of the others."""
     builder = OverlayBuilder()
 
@@ -225,7 +223,6 @@ def finding(name: str, severity: Severity, point: int | None = None) -> Finding:
 
 def drawn(*findings: Finding, **more: object) -> Overlay:
     annotation = more.pop("annotation", FRAME)
-    assert isinstance(annotation, FrameAnnotation)
     return OverlayBuilder().build(
         OverlayContent(
             annotation=annotation,
@@ -242,7 +239,7 @@ def signs(overlay: Overlay) -> dict[str, Labels]:
     return {labels.sign: labels for labels in overlay.labels if labels.sign}
 
 
-def test_an_element_bears_the_sign_of_its_surest_finding() -> None:
+def test_an_element_bears_the_sign_of_its_surest_finding():
     shown = signs(
         drawn(
             finding("Middle line", Severity.WARNING, 0),
@@ -256,20 +253,20 @@ def test_an_element_bears_the_sign_of_its_surest_finding() -> None:
     assert shown["hint"].texts == ()
 
 
-def test_a_hint_is_named_only_where_somebody_looks() -> None:
+def test_a_hint_is_named_only_where_somebody_looks():
     hint = finding("Middle line", Severity.HINT)
     assert signs(drawn(hint))["hint"].texts == ("",)
     assert signs(drawn(hint, selection="Middle line"))["hint"].texts == ("Halfway line",)
 
 
-def test_a_sign_beside_the_picture_is_brought_to_its_edge() -> None:
+def test_a_sign_beside_the_picture_is_brought_to_its_edge():
     beside = FRAME.with_polyline(Polyline("Side line top", (Point(1.4, 0.2),)))
     overlay = drawn(finding("Side line top", Severity.ERROR, 0), annotation=beside)
     np.testing.assert_allclose(signs(overlay)["error"].positions, [[100, 10]])
     np.testing.assert_allclose(overlay.marks[-1].centres, [[140, 10]])  # the point itself
 
 
-def test_only_a_point_that_is_wrong_by_itself_is_ringed() -> None:
+def test_only_a_point_that_is_wrong_by_itself_is_ringed():
     ring = drawn(
         finding("Middle line", Severity.ERROR, 1), finding("Side line top", Severity.ERROR)
     ).marks[-1]
@@ -277,13 +274,13 @@ def test_only_a_point_that_is_wrong_by_itself_is_ringed() -> None:
     np.testing.assert_allclose(ring.centres, [[50, 25]])
 
 
-def test_overlays_have_the_same_groups_whatever_was_found() -> None:
+def test_overlays_have_the_same_groups_whatever_was_found():
     bare, full = drawn(), drawn(finding("Middle line", Severity.ERROR, 1))
     for groups in ("strokes", "marks", "labels"):
         assert len(getattr(bare, groups)) == len(getattr(full, groups))
 
 
-def test_a_point_that_a_gesture_takes_away_loses_its_sign() -> None:
+def test_a_point_that_a_gesture_takes_away_loses_its_sign():
     shorter = FRAME.with_polyline(Polyline("Middle line", (Point(0.5, 0.0),)))
     overlay = drawn(finding("Middle line", Severity.ERROR, 2), annotation=shorter)
     assert signs(overlay)["error"].texts == ()
@@ -303,7 +300,7 @@ PARTS = Ghost(
 )
 
 
-def test_the_curve_is_dash_dot_on_a_rim_and_pieces_are_not_joined() -> None:
+def test_the_curve_is_dash_dot_on_a_rim_and_pieces_are_not_joined():
     overlay = build_ghosts([LEVEL, PARTS])
     rim, line = overlay.strokes
     assert (line.colour, line.dash) == (tones.GHOST, tones.GHOST_DASH)
@@ -316,7 +313,7 @@ def test_the_curve_is_dash_dot_on_a_rim_and_pieces_are_not_joined() -> None:
     assert not overlay.labels
 
 
-def test_the_band_reaches_two_standard_deviations_to_both_sides() -> None:
+def test_the_band_reaches_two_standard_deviations_to_both_sides():
     (patch,) = build_ghosts([LEVEL]).patches
     assert set(np.round(patch.outline[:, 1], 9)) == {47.0, 53.0}
     assert patch.outline[:, 0].min() == 100
@@ -326,7 +323,7 @@ def test_the_band_reaches_two_standard_deviations_to_both_sides() -> None:
     assert np.ptp(second.outline[[2, 3], 0]) == pytest.approx(4 * 2.0)
 
 
-def test_the_current_one_is_stronger_named_and_shows_its_points() -> None:
+def test_the_current_one_is_stronger_named_and_shows_its_points():
     points = np.array([[110.0, 50.0], [200.0, 50.0]])
     overlay = build_ghosts(
         [LEVEL, PARTS], current=PARTS, label="Halfway line  ±2.0 px", points_px=points
@@ -344,13 +341,13 @@ def test_the_current_one_is_stronger_named_and_shows_its_points() -> None:
     assert overlay.patches[-1].opacity > overlay.patches[0].opacity
 
 
-def test_a_course_with_a_point_twice_has_a_band_all_the_same() -> None:
+def test_a_course_with_a_point_twice_has_a_band_all_the_same():
     course = np.array([[0.0, 0], [5, 0], [5, 0], [5, 0], [9, 0]])
     (patch,) = build_ghosts([Ghost("x", (GhostPiece(course, np.ones(5)),))]).patches
     assert np.isfinite(patch.outline).all()
 
 
-def test_extent_is_that_of_all_pieces() -> None:
+def test_extent_is_that_of_all_pieces():
     assert ghost_extent(PARTS) == (10, 10, 10, 120)
 
 
@@ -363,11 +360,11 @@ def test_extent_is_that_of_all_pieces() -> None:
         ((205.0, 70.0), None),
     ],
 )
-def test_what_lies_under_the_cursor(position, found) -> None:
+def test_what_lies_under_the_cursor(position, found):
     assert nearest_ghost([LEVEL, PARTS], position, 5.0) == found
 
 
-def test_a_dense_curve_is_drawn_with_few_points_and_hardly_off() -> None:
+def test_a_dense_curve_is_drawn_with_few_points_and_hardly_off():
     angle = np.linspace(0, np.pi, 4000)
     course = 30 * np.column_stack((np.cos(angle), np.sin(angle)))
     overlay = build_ghosts([Ghost("Circle left", (GhostPiece(course, np.ones(4000)),))])
@@ -385,7 +382,7 @@ FRAME_SETUP = EvaluationSetup(load_field())
 ABOVE = HomographyCamera(np.array([[8.0, 0, 479.5], [0, 7.0, 269.5], [0, 0, 1.0]]))
 
 
-def test_lines_lie_where_the_camera_shows_the_elements() -> None:
+def test_lines_lie_where_the_camera_shows_the_elements():
     projected = project_field(ABOVE, FRAME_SETUP)
     overlay = build_wireframes([(projected, "#e4572e")], FRAME_SETUP.size, (1919, 1079))
     rim, line = overlay.strokes
@@ -400,7 +397,7 @@ def test_lines_lie_where_the_camera_shows_the_elements() -> None:
     assert np.isclose(halfway[0], 959.0, atol=1e-6)
 
 
-def test_every_source_has_its_own_lines_the_last_on_top() -> None:
+def test_every_source_has_its_own_lines_the_last_on_top():
     projected = project_field(ABOVE, FRAME_SETUP)
     overlay = build_wireframes(
         [(projected, "#111111"), (projected, "#222222")], FRAME_SETUP.size, (960, 540)
@@ -419,12 +416,12 @@ def covers(a: Box, b: Box) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
-def test_what_is_free_stays_where_it_would_go() -> None:
+def test_what_is_free_stays_where_it_would_go():
     assert place_apart((10, 10, 50, 22), [(60, 10, 90, 22)], ROOM) == (10, 10, 50, 22)
 
 
 @given(st.lists(st.tuples(st.floats(0, 360), st.floats(0, 280)), min_size=2, max_size=12))
-def test_none_covers_another(points) -> None:
+def test_none_covers_another(points):
     taken: list[Box] = []
     for x, y in points:
         taken.append(place_apart((x, y, x + 30, y + 12), taken, ROOM))
@@ -432,7 +429,7 @@ def test_none_covers_another(points) -> None:
         assert all(not covers(box, other) for other in taken[:number])
 
 
-def test_without_room_it_stays() -> None:
+def test_without_room_it_stays():
     box = (0.0, 0.0, 10.0, 10.0)
     assert place_apart(box, [box], box) == box
 
@@ -440,7 +437,7 @@ def test_without_room_it_stays() -> None:
 # A result is given again only for the same arguments.
 
 
-def test_the_same_arguments_give_the_very_same_result() -> None:
+def test_the_same_arguments_give_the_very_same_result():
     join = LastCallCache(lambda *parts, end="": [*parts, end])
     first = join("a", (1, 2), end=".")
     assert join("a", (1, 2), end=".") is first
@@ -448,7 +445,7 @@ def test_the_same_arguments_give_the_very_same_result() -> None:
     assert join("a", (1, 2), end=".") is not first  # only the last one is kept
 
 
-def test_other_keywords_are_other_arguments() -> None:
+def test_other_keywords_are_other_arguments():
     join = LastCallCache(lambda *parts, end="": [*parts, end])
     assert join("a", end="!") == ["a", "!"]
     assert join("a") == ["a", ""]

@@ -1,7 +1,5 @@
 """Tones of maps in metres are ordered for everybody; those of sources are not the criterion's."""
 
-from __future__ import annotations
-
 import itertools
 from dataclasses import replace
 
@@ -50,16 +48,16 @@ def lightness(rgb: np.ndarray) -> float:
 
 @pytest.mark.parametrize("look", [DISAGREEMENT, UNCERTAINTY], ids=lambda look: look.name)
 class TestMapLooks:
-    def test_a_tone_a_band(self, look) -> None:
+    def test_a_tone_a_band(self, look):
         assert len(look.colours) == len(look.levels_m) - 1
 
-    def test_lines_are_at_levels_and_need_no_colour(self, look) -> None:
+    def test_lines_are_at_levels_and_need_no_colour(self, look):
         assert {line.metres for line in look.lines} <= set(look.levels_m)
         assert len({line.dash for line in look.lines}) == len(look.lines)
 
     @pytest.mark.parametrize("ground", GRASS)
     @pytest.mark.parametrize("eyes", SEEN_BY)
-    def test_more_is_darker_for_every_eye(self, look, eyes, ground) -> None:
+    def test_more_is_darker_for_every_eye(self, look, eyes, ground):
         found = [lightness(SEEN_BY[eyes] @ over(c, look.opacity, ground)) for c in look.colours]
         steps = [light - dark for light, dark in itertools.pairwise(found)]
         assert min(steps) > 3.0, [round(v, 1) for v in found]
@@ -73,7 +71,7 @@ def as_seen(colour: str, eyes: str) -> str:
 class TestSources:
     @pytest.mark.parametrize(("eyes", "least"), [("all", 35), ("no red", 20), ("no green", 20)])
     @pytest.mark.parametrize("colour", [*palette.SOURCE_COLOURS, palette.FIT])
-    def test_none_is_taken_for_a_tone_of_the_criterion(self, colour, eyes, least) -> None:
+    def test_none_is_taken_for_a_tone_of_the_criterion(self, colour, eyes, least):
         """About 2 can just be seen when two tones lie side by side."""
         near = {
             word: colour_difference(as_seen(colour, eyes), as_seen(tone, eyes))
@@ -82,7 +80,7 @@ class TestSources:
         assert min(near.values()) >= least, near
 
     @pytest.mark.parametrize("eyes", ["all", "no red", "no green"])
-    def test_they_are_told_apart(self, eyes) -> None:
+    def test_they_are_told_apart(self, eyes):
         tones = [as_seen(c, eyes) for c in palette.SOURCE_COLOURS]
         assert min(colour_difference(a, b) for a, b in itertools.combinations(tones, 2)) >= 30
 
@@ -101,7 +99,7 @@ def at(world: tuple[float, float, float]) -> tuple[float, float]:
     return x, y
 
 
-def test_a_corner_goes_before_the_lines_through_it() -> None:
+def test_a_corner_goes_before_the_lines_through_it():
     frame = wireframe_of(CAMERA, FIELD, SIZE)
     x, y = at((0.0, -34.0, 0.0))
     found = frame.at((x + 5.0, y + 1.0), 10.0)
@@ -109,7 +107,7 @@ def test_a_corner_goes_before_the_lines_through_it() -> None:
     assert found.px == pytest.approx((x, y))
 
 
-def test_between_corners_it_is_the_nearest_place_of_the_nearest_line() -> None:
+def test_between_corners_it_is_the_nearest_place_of_the_nearest_line():
     frame = wireframe_of(CAMERA, FIELD, SIZE)
     world = (0.0, -20.0, 0.0)
     x, y = at(world)
@@ -122,7 +120,7 @@ def test_between_corners_it_is_the_nearest_place_of_the_nearest_line() -> None:
     assert found.world[0] == pytest.approx(0.0, abs=1e-9)
 
 
-def test_beyond_reach_and_out_of_the_picture_there_is_nothing() -> None:
+def test_beyond_reach_and_out_of_the_picture_there_is_nothing():
     frame = wireframe_of(CAMERA, FIELD, SIZE)
     x, y = at((0.0, -20.0, 0.0))
     assert frame.at((x + 30.0, y), 5.0) is None
@@ -131,7 +129,7 @@ def test_beyond_reach_and_out_of_the_picture_there_is_nothing() -> None:
     assert segments_in_sight(away, FIELD, SIZE).shape == (0, 4)
 
 
-def test_segments_follow_the_lines_in_the_picture() -> None:
+def test_segments_follow_the_lines_in_the_picture():
     segments = segments_in_sight(CAMERA, FIELD, SIZE)
     frame = wireframe_of(CAMERA, FIELD, SIZE)
     middles = (segments[:, :2] + segments[:, 2:]) / 2

@@ -1,7 +1,5 @@
 """Each gesture of a hand is one edit, and every state says what comes next."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
@@ -47,7 +45,7 @@ def px(annotation: FrameAnnotation, name: str = "Middle line") -> list[list[floa
 
 
 class TestDrawing:
-    def test_clicks_then_enter_are_one_edit(self) -> None:
+    def test_clicks_then_enter_are_one_edit(self):
         tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         for position in ((10.25, 20.5), (30.0, 40.0)):
             assert tool.press(position, PLAIN, context).edit is None
@@ -56,14 +54,14 @@ class TestDrawing:
         assert px(edit.annotation, "Circle left") == [[10.25, 20.5], [30, 40]]
         assert not tool.busy
 
-    def test_a_double_click_finishes_without_a_point_more(self) -> None:
+    def test_a_double_click_finishes_without_a_point_more(self):
         tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         tool.press((30, 40), PLAIN, context)
         edit = tool.double_click((30, 40), PLAIN, context).edit
         assert px(edit.annotation, "Circle left") == [[10, 20], [30, 40]]
 
-    def test_backspace_takes_back_and_escape_cancels_then_deselects(self) -> None:
+    def test_backspace_takes_back_and_escape_cancels_then_deselects(self):
         tool, context = DrawTool(), ToolContext(LINE, SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         tool.press((30, 40), PLAIN, context)
@@ -74,7 +72,7 @@ class TestDrawing:
         assert tool.key("Escape", context).select == Selection(None)
         assert not tool.key("Enter", context).handled
 
-    def test_an_unconfirmed_element_is_continued_and_so_confirmed(self) -> None:
+    def test_an_unconfirmed_element_is_continued_and_so_confirmed(self):
         waiting = FrameAnnotation(unconfirmed=LINE.polylines)
         tool, context = DrawTool(), ToolContext(waiting, SIZE, 1.0, "Middle line", continues=True)
         assert "continues it after its 3 points" in status_hint(
@@ -85,7 +83,7 @@ class TestDrawing:
         assert px(edit.annotation) == [[100, 100], [300, 100], [300, 300], [500, 500]]
         assert edit.annotation.unconfirmed == ()
 
-    def test_enter_confirms_and_goes_on_to_what_else_waits(self) -> None:
+    def test_enter_confirms_and_goes_on_to_what_else_waits(self):
         more = annotated(Circle_left=[(5, 5), (9, 9)])
         waiting = FrameAnnotation(unconfirmed=(*LINE.polylines, *more.polylines))
         for tool in (DrawTool(), EditTool()):
@@ -98,7 +96,7 @@ class TestDrawing:
             assert second.edit.annotation.unconfirmed == ()
             assert second.finished
 
-    def test_the_first_click_is_put_on_the_line_again_once_its_direction_is_known(self) -> None:
+    def test_the_first_click_is_put_on_the_line_again_once_its_direction_is_known(self):
         def snap(
             name: str, at: tuple[float, float], direction: tuple[float, float] | None
         ) -> tuple[float, float] | None:
@@ -115,7 +113,7 @@ class TestDrawing:
         beside.press((300, 98), PLAIN, context)
         assert beside.points[0] == (100, 103)  # meant to be there
 
-    def test_the_hint_says_when_the_next_click_finishes(self) -> None:
+    def test_the_hint_says_when_the_next_click_finishes(self):
         def words(annotation: FrameAnnotation, clicks: int) -> str:
             tool = DrawTool()
             context = ToolContext(annotation, SIZE, 1.0, "Middle line", is_two_point_element=True)
@@ -127,24 +125,24 @@ class TestDrawing:
         assert "finishes and goes on to Left penalty arc" in words(FrameAnnotation(), 1)
         assert "second point and finishes" not in words(LINE, 1)  # continued: no end in sight
 
-    def test_the_hint_of_a_pinned_element_says_so(self) -> None:
+    def test_the_hint_of_a_pinned_element_says_so(self):
         tool, context = EditTool(), ToolContext(LINE, SIZE, 1.0)
         tool.press((200, 100), PLAIN, context)
         assert "pinned" in status_hint("edit", DrawTool(), tool, context, FIELD)
 
-    def test_an_annotated_class_is_continued(self) -> None:
+    def test_an_annotated_class_is_continued(self):
         tool, context = DrawTool(), ToolContext(LINE, SIZE, 1.0, "Middle line", continues=True)
         tool.press((500, 500), PLAIN, context)
         edit = tool.finish(context).edit
         assert edit.label == "continue Middle line"
         assert px(edit.annotation) == [*px(LINE), [500, 500]]
 
-    def test_without_an_element_a_click_says_so(self) -> None:
+    def test_without_an_element_a_click_says_so(self):
         tool = DrawTool()
         assert "choose an element" in tool.press((1, 1), PLAIN, ToolContext(LINE, SIZE)).message
         assert not tool.busy
 
-    def test_the_class_is_the_one_the_polyline_began_with(self) -> None:
+    def test_the_class_is_the_one_the_polyline_began_with(self):
         tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         edit = tool.finish(replace(context, selected_class="Circle right")).edit
@@ -154,7 +152,7 @@ class TestDrawing:
 class TestEditing:
     context = ToolContext(LINE, SIZE, 1.0, "Middle line")
 
-    def test_a_drag_is_one_edit_and_keeps_the_grip(self) -> None:
+    def test_a_drag_is_one_edit_and_keeps_the_grip(self):
         tool = EditTool()
         assert tool.press((303, 98), PLAIN, self.context).select == Selection("Middle line", 1)
         preview = tool.move((313, 98), PLAIN, self.context).preview
@@ -164,13 +162,13 @@ class TestEditing:
         assert px(edit.annotation) == [[100, 100], [320, 101], [300, 300]]
         assert edit.label == "move Middle line"
 
-    def test_a_click_without_movement_only_selects(self) -> None:
+    def test_a_click_without_movement_only_selects(self):
         tool = EditTool()
         tool.press((303, 98), PLAIN, self.context)
         tool.move((303.5, 98.5), PLAIN, self.context)
         assert tool.release((303.5, 98.5), PLAIN, self.context).edit is None
 
-    def test_points_may_be_dragged_out_of_the_picture(self) -> None:
+    def test_points_may_be_dragged_out_of_the_picture(self):
         tool = EditTool()
         tool.press((100, 100), PLAIN, self.context)
         edit = tool.release((-20, -30), PLAIN, self.context).edit
@@ -180,14 +178,14 @@ class TestEditing:
         edit = tool.release((-20, -30), PLAIN, self.context).edit
         assert px(edit.annotation)[0] == [-20, -30]
 
-    def test_escape_puts_a_held_point_back(self) -> None:
+    def test_escape_puts_a_held_point_back(self):
         tool = EditTool()
         tool.press((100, 100), PLAIN, self.context)
         tool.move((200, 200), PLAIN, self.context)
         assert tool.key("Escape", self.context).cancelled
         assert tool.release((200, 200), PLAIN, self.context).edit is None
 
-    def test_leaving_the_frame_drops_a_held_point_where_it_is(self) -> None:
+    def test_leaving_the_frame_drops_a_held_point_where_it_is(self):
         tool = EditTool()
         tool.press((100, 100), PLAIN, self.context)
         tool.move((200, 200), PLAIN, self.context)
@@ -195,7 +193,7 @@ class TestEditing:
         assert px(edit.annotation)[0] == [200, 200]
 
     @pytest.mark.parametrize("alt", [False, True])
-    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt) -> None:
+    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt):
         tool = EditTool()
         tool.press((200, 100) if alt else (100, 100), Modifiers(alt=alt), self.context)
         tool.move((240, 240), PLAIN, self.context)
@@ -203,7 +201,7 @@ class TestEditing:
         assert tool.release((250, 250), PLAIN, undone) == Reaction(cancelled=True)
         assert not tool.busy
 
-    def test_a_move_after_an_interrupted_insertion_is_called_a_move(self) -> None:
+    def test_a_move_after_an_interrupted_insertion_is_called_a_move(self):
         tool = EditTool()
         tool.press((200, 100), Modifiers(alt=True), self.context)  # the release never comes
         tool.press((100, 100), PLAIN, self.context)
@@ -212,7 +210,7 @@ class TestEditing:
         assert edit.label == "move Middle line"
         assert px(edit.annotation) == [[120, 120], [300, 100], [300, 300]]
 
-    def test_alt_click_on_a_segment_inserts_there(self) -> None:
+    def test_alt_click_on_a_segment_inserts_there(self):
         tool = EditTool()
         reaction = tool.press((200, 104), Modifiers(alt=True), self.context)
         assert reaction.select == Selection("Middle line", 1)
@@ -220,7 +218,7 @@ class TestEditing:
         assert px(edit.annotation) == [[100, 100], [200, 100], [300, 100], [300, 300]]
         assert edit.label == "insert a point in Middle line"
 
-    def test_alt_shift_click_removes_and_the_last_point_takes_the_class(self) -> None:
+    def test_alt_shift_click_removes_and_the_last_point_takes_the_class(self):
         both = Modifiers(alt=True, shift=True)
         edit = EditTool().press((300, 101), both, self.context).edit
         assert px(edit.annotation) == [[100, 100], [300, 300]]
@@ -232,12 +230,12 @@ class TestEditing:
         ("key", "step", "expected"),
         [("Left", 1.0, [299, 100]), ("Down", 0.1, [300, 100.1]), ("Up", 10.0, [300, 90])],
     )
-    def test_arrows_nudge(self, key, step, expected) -> None:
+    def test_arrows_nudge(self, key, step, expected):
         context = replace(self.context, selected_point=("Middle line", 1))
         edit = EditTool().nudge(key, step, context).edit
         assert px(edit.annotation)[1] == expected
 
-    def test_delete_removes_the_point_or_else_the_element(self) -> None:
+    def test_delete_removes_the_point_or_else_the_element(self):
         chosen = replace(self.context, selected_point=("Middle line", 2))
         reaction = EditTool().key("Delete", chosen)
         assert px(reaction.edit.annotation) == [[100, 100], [300, 100]]
@@ -267,13 +265,13 @@ class TestDraggingBack:
         edit = tool.release(way[-1], PLAIN, context).edit
         return px(edit.annotation)[0], bool(edit.snapped)
 
-    def test_across_the_line_it_stays_where_the_hand_puts_it(self) -> None:
+    def test_across_the_line_it_stays_where_the_hand_puts_it(self):
         assert self.dragged((101.0, 103.0), (102.0, 100.0)) == ([102.0, 100.0], False)
 
-    def test_along_the_line_it_stays_on_it(self) -> None:
+    def test_along_the_line_it_stays_on_it(self):
         assert self.dragged((110.0, 103.0), (130.0, 102.0)) == ([130.0, self.WRONG_Y], True)
 
-    def test_a_new_point_of_a_chord_goes_to_the_line(self) -> None:
+    def test_a_new_point_of_a_chord_goes_to_the_line(self):
         context = ToolContext(
             annotated(Middle_line=[(100.0, 100.0), (500.0, 100.0)]),
             SIZE,
@@ -288,7 +286,7 @@ class TestDraggingBack:
 
 
 class TestHitting:
-    def test_points_win_over_segments_and_the_selected_class_over_others(self) -> None:
+    def test_points_win_over_segments_and_the_selected_class_over_others(self):
         hit = hit_test(LINE, SIZE, (108, 100), 1.0)
         assert hit.kind == "point"
         crossing = annotated(Middle_line=[(100, 100), (300, 100)], Circle_left=[(100, 100)])
@@ -302,7 +300,7 @@ class TestHints:
         draw, edit = options.pop("draw", DrawTool()), options.pop("edit", EditTool())
         return status_hint(mode, draw, edit, context, FIELD, **options)
 
-    def test_editing_names_what_is_under_the_cursor(self) -> None:
+    def test_editing_names_what_is_under_the_cursor(self):
         context = ToolContext(LINE, SIZE)
         point = hit_test(LINE, SIZE, (300, 100), 1.0)
         assert "drag moves point 2 of Halfway line" in self.say("edit", context, over=point)
@@ -325,7 +323,7 @@ class TestSpots:
             snap=lambda name, position, direction: (0.0, 0.0),
         )  # fmt: skip
 
-    def test_one_click_marks_it_and_finishes(self) -> None:
+    def test_one_click_marks_it_and_finishes(self):
         tool = DrawTool()
         assert "click marks it" in status_hint("draw", tool, EditTool(), self.context(), FIELD)
         reaction = tool.press((10.25, 20.5), PLAIN, self.context())
@@ -335,7 +333,7 @@ class TestSpots:
         assert reaction.edit.snapped == frozenset()
         assert tool.landing((3, 4), PLAIN, self.context()) is None
 
-    def test_the_second_click_of_a_double_click_is_none(self) -> None:
+    def test_the_second_click_of_a_double_click_is_none(self):
         tool = DrawTool()
         tool.press((10, 20), PLAIN, self.context())
         following = replace(self.context(), selected_class="Circle left")
@@ -344,7 +342,7 @@ class TestSpots:
         tool.press((10, 20), PLAIN, following)
         assert tool.busy  # the next press begins the next element
 
-    def test_another_click_moves_it(self) -> None:
+    def test_another_click_moves_it(self):
         tool, there = DrawTool(), annotated(Penalty_mark_left=[(100, 100)])
         assert tool.press((30, 40), PLAIN, self.context(there)).edit is None  # it is finished
         again = replace(self.context(there), continues=True)
@@ -353,7 +351,7 @@ class TestSpots:
         assert edit.label.startswith("move ")
         assert px(edit.annotation, self.MARK) == [[30, 40]]
 
-    def test_a_dragged_spot_stays_where_it_is_dropped(self) -> None:
+    def test_a_dragged_spot_stays_where_it_is_dropped(self):
         tool, context = EditTool(), self.context(annotated(Penalty_mark_left=[(100, 100)]))
         tool.press((100, 100), PLAIN, context)
         tool.move((140, 120), PLAIN, context)
@@ -401,7 +399,7 @@ def targets(
 
 @settings(max_examples=150)
 @given(frames, positions, st.sampled_from([0.25, 1.0, 8.0]))
-def test_the_nearest_point_in_reach_else_the_nearest_segment(annotation, at, scale) -> None:
+def test_the_nearest_point_in_reach_else_the_nearest_segment(annotation, at, scale):
     hit = hit_test(annotation, HIT_SIZE, at, scale)
     found = targets(annotation, at)
     for kind in ("point", "segment"):
@@ -418,7 +416,7 @@ def test_the_nearest_point_in_reach_else_the_nearest_segment(annotation, at, sca
     assert hit is None
 
 
-def test_the_selected_class_out_of_reach_does_not_hide_another_in_reach() -> None:
+def test_the_selected_class_out_of_reach_does_not_hide_another_in_reach():
     annotation = FrameAnnotation(
         (
             Polyline("near", (point_from_px(109.9, 100, HIT_SIZE),)),
@@ -429,7 +427,7 @@ def test_the_selected_class_out_of_reach_does_not_hide_another_in_reach() -> Non
     assert hit.class_name == "near"
 
 
-def test_points_that_coincide_can_be_hit() -> None:
+def test_points_that_coincide_can_be_hit():
     twice = FrameAnnotation((Polyline("spot", (Point(0.5, 0.5), Point(0.5, 0.5))),))
     x, y = points_px(twice.polylines[0], HIT_SIZE)[0].tolist()
     hit = hit_test(twice, HIT_SIZE, (x + 1, y), 1.0)

@@ -1,7 +1,5 @@
 """What the score says is drawn where the score found it."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -77,7 +75,7 @@ def layer(found: Overlay, name: str, colour: str) -> np.ndarray:
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
 @pytest.mark.parametrize("camera", CAMERAS)
-def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera, protocol) -> None:
+def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera, protocol):
     measurement = measure(FrameAnnotation(), CAMERAS[camera], setup(protocol))
     found = scored_frame(measurement, score(measurement, 5.0), SIZE)
     pieces = measurement.projected.pieces
@@ -90,7 +88,7 @@ def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera, protocol) ->
         np.testing.assert_allclose(found.projection.by_element[name], np.concatenate(expected))
 
 
-def test_spots_are_crosses_and_optional_elements_without_clicks_are_unjudged() -> None:
+def test_spots_are_crosses_and_optional_elements_without_clicks_are_unjudged():
     measurement = measure(FrameAnnotation(), CAMERAS["main"], setup("procc"))
     found = scored_frame(measurement, score(measurement, 5.0), SIZE)
     across, down = found.projection.by_element["Centre mark"]
@@ -105,7 +103,7 @@ def test_spots_are_crosses_and_optional_elements_without_clicks_are_unjudged() -
     assert not len(layer(judged(FrameAnnotation()), "projection", tones.UNKNOWN_CLASS))
 
 
-def test_mirrored_labels_emphasise_the_element_they_are_judged_against() -> None:
+def test_mirrored_labels_emphasise_the_element_they_are_judged_against():
     annotation = annotated("Side line left", GOAL_LINE)
     plain = judged(FrameAnnotation(), highlight="Side line right")
     found = judged(annotation, highlight="Side line left", selection="Side line left")
@@ -117,7 +115,7 @@ def test_mirrored_labels_emphasise_the_element_they_are_judged_against() -> None
     assert len(under) == len(layer(found, "projection", tones.PASSES)) + 1
 
 
-def test_whiskers_of_mirrored_labels_end_on_the_projection() -> None:
+def test_whiskers_of_mirrored_labels_end_on_the_projection():
     found = judged(annotated("Side line left", GOAL_LINE, shift_px=9.0))
     whiskers = layer(found, "whisker", tones.TOO_FAR)
     lengths = np.hypot(*(whiskers[:, 2:] - whiskers[:, :2]).T)
@@ -126,7 +124,7 @@ def test_whiskers_of_mirrored_labels_end_on_the_projection() -> None:
     np.testing.assert_allclose(lengths, np.array(texts) * 1279 / 959, atol=0.15)
 
 
-def test_each_point_of_a_failing_element_has_its_own_verdict() -> None:
+def test_each_point_of_a_failing_element_has_its_own_verdict():
     px, _ = RIGHT.project(GOAL_LINE)
     points = (point_from_px(*px[0], (960, 540)), point_from_px(px[1, 0], px[1, 1] + 12, (960, 540)))
     # Nothing passes, so that the official protocol would prefer the mirrored labels.
@@ -139,13 +137,13 @@ def test_each_point_of_a_failing_element_has_its_own_verdict() -> None:
     assert len(layer(found, "annotation", tones.TOO_FAR)) == 1
 
 
-def test_the_selected_element_shows_all_its_distances() -> None:
+def test_the_selected_element_shows_all_its_distances():
     annotation = annotated("Side line right", GOAL_LINE, shift_px=1.0)
     assert judged(annotation).labels[0].texts == ()
     assert len(judged(annotation, selection="Side line right").labels[0].texts) == 2
 
 
-def test_the_threshold_decides_and_nothing_else_moves() -> None:
+def test_the_threshold_decides_and_nothing_else_moves():
     annotation = annotated("Side line right", GOAL_LINE, shift_px=3.0)
     strict, loose = (judged(annotation, tau, "procc") for tau in (1.0, 8.0))
     np.testing.assert_array_equal(
@@ -154,7 +152,7 @@ def test_the_threshold_decides_and_nothing_else_moves() -> None:
     assert len(layer(loose, "whisker", tones.TOO_FAR)) == 0
 
 
-def test_a_projected_element_that_is_not_annotated_can_be_selected() -> None:
+def test_a_projected_element_that_is_not_annotated_can_be_selected():
     found = judged(FrameAnnotation(), selection="Side line right")
     halo, rim = (layer(found, "selection", c) for c in (tones.HALO, tones.OUTLINE))
     assert len(halo) > 0
@@ -163,14 +161,14 @@ def test_a_projected_element_that_is_not_annotated_can_be_selected() -> None:
     assert len(layer(blind, "selection", tones.HALO)) == 0
 
 
-def test_the_halo_lies_under_every_line() -> None:
+def test_the_halo_lies_under_every_line():
     found = judged(annotated("Side line right", GOAL_LINE), selection="Side line right")
     layers = [s.layer for s in found.strokes]
     last_halo = max(i for i, name in enumerate(layers) if name in ("selection", "highlight"))
     assert last_halo < min(layers.index("projection"), layers.index("annotation"))
 
 
-def test_a_point_without_a_distance_fails_without_a_whisker() -> None:
+def test_a_point_without_a_distance_fails_without_a_whisker():
     nowhere = np.full((1, 2), np.nan)
     found = ScoredFrame(
         {"Middle line": "too_far"}, {}, ScoredProjection({}, {}), np.ones((1, 2)), nowhere,
@@ -181,7 +179,7 @@ def test_a_point_without_a_distance_fails_without_a_whisker() -> None:
     assert found.labelled(None)[1] == ("no distance",)
 
 
-def test_a_draft_continues_where_the_element_ends() -> None:
+def test_a_draft_continues_where_the_element_ends():
     annotation = annotated("Side line right", GOAL_LINE)
     end = annotation.polylines[0].points[-1]
     before = Draft("Side line right", (), (50.0, 60.0))
@@ -197,7 +195,7 @@ def test_a_draft_continues_where_the_element_ends() -> None:
     np.testing.assert_allclose(drawn, [[end.u * 1279, end.v * 719, 70, 80], [70, 80, 50, 60]])
 
 
-def test_the_states_differ_without_colour() -> None:
+def test_the_states_differ_without_colour():
     """In lines or in marks: a passing and a failing line differ by dots and crosses."""
     dashes = tones.STATUS_DASHES
     assert dashes["tp"] == dashes["too_far"] == ()
@@ -205,7 +203,7 @@ def test_the_states_differ_without_colour() -> None:
     assert len(set(tones.STATUS_COLOURS.values())) == 4
 
 
-def test_a_distance_line_to_a_foot_outside_the_picture_is_drawn_as_it_is() -> None:
+def test_a_distance_line_to_a_foot_outside_the_picture_is_drawn_as_it_is():
     """A click on the picture's border, where the projection is just beyond it."""
     touchline = np.array([[x, 34.0, 0] for x in np.linspace(-52.5, 52.5, 2001)])
     camera = PinholeCamera(

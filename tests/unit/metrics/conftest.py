@@ -1,7 +1,5 @@
 """A field and cameras small enough to reckon with by hand."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

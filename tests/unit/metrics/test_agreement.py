@@ -1,7 +1,5 @@
 """Two annotators of one frame: distances, what is left out, JaC, mirrored labels, sets."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -40,7 +38,7 @@ def agreement(field, class_name, first, second):
 # ---------------------------------------------------------------------------------- straight
 
 
-def test_distances_are_taken_both_ways_in_pixels_of_the_size(small_field) -> None:
+def test_distances_are_taken_both_ways_in_pixels_of_the_size(small_field):
     a, b = annotation(middle=[(100, 100), (500, 100)]), annotation(middle=[(200, 103), (400, 103)])
     found = compare_annotations(a, b, small_field, SIZE).by_class["middle"]
     # The first's ends are 100 px past the second's: left out.
@@ -50,7 +48,7 @@ def test_distances_are_taken_both_ways_in_pixels_of_the_size(small_field) -> Non
     assert larger.distances == pytest.approx([6.0, 6.0])
 
 
-def test_exchanging_the_annotators_changes_nothing_else(small_field) -> None:
+def test_exchanging_the_annotators_changes_nothing_else(small_field):
     rng = np.random.default_rng(3)
     a, b = (
         annotation(
@@ -69,7 +67,7 @@ def test_exchanging_the_annotators_changes_nothing_else(small_field) -> None:
     assert (one.only_a, one.only_b) == (other.only_b, other.only_a) == (("left",), ("right",))
 
 
-def test_clicks_a_little_beyond_an_end_are_compared_across(small_field) -> None:
+def test_clicks_a_little_beyond_an_end_are_compared_across(small_field):
     found = agreement(small_field, "middle", [(100, 100), (500, 100)], [(85, 102), (515, 102)])
     # 15 px are less than 5 % of 400, seen along the line, not from its end.
     assert found.distances == pytest.approx([2.0] * 4)
@@ -78,26 +76,26 @@ def test_clicks_a_little_beyond_an_end_are_compared_across(small_field) -> None:
     assert found.left_out == 1
 
 
-def test_a_short_line_reaches_three_pixels_on(small_field) -> None:
+def test_a_short_line_reaches_three_pixels_on(small_field):
     found = agreement(small_field, "middle", [(100, 100), (110, 100)], [(97.5, 101), (112.5, 101)])
     assert found.left_out == 0
     found = agreement(small_field, "middle", [(100, 100), (110, 100)], [(96.5, 101), (113.5, 101)])
     assert found.left_out == 2
 
 
-def test_the_direction_beyond_an_end_does_not_hang_on_two_close_clicks(small_field) -> None:
+def test_the_direction_beyond_an_end_does_not_hang_on_two_close_clicks(small_field):
     hooked = [(100, 100), (499, 100), (500, 101)]
     found = agreement(small_field, "middle", hooked, [(100, 100), (515, 100)])
     assert found.largest < 1.5
 
 
-def test_order_of_clicks_on_a_line_means_nothing(small_field) -> None:
+def test_order_of_clicks_on_a_line_means_nothing(small_field):
     jumbled = [(500, 100), (100, 100), (300, 100), (200, 100)]
     found = agreement(small_field, "middle", jumbled, [(90, 100), (510, 100)])
     assert found.distances == pytest.approx([0.0] * 6, abs=1e-9)
 
 
-def test_lines_with_no_stretch_in_common_are_apart_and_do_not_agree(small_field) -> None:
+def test_lines_with_no_stretch_in_common_are_apart_and_do_not_agree(small_field):
     a, b = annotation(middle=[(100, 100), (200, 100)]), annotation(middle=[(400, 100), (500, 100)])
     frame = compare_annotations(a, b, small_field, SIZE)
     found = frame.by_class["middle"]
@@ -117,7 +115,7 @@ def swapped(polylines) -> dict:
     return dict(zip(polylines, reversed(polylines.values()), strict=True))
 
 
-def test_classes_swapped_at_a_corner_are_apart(soccer) -> None:
+def test_classes_swapped_at_a_corner_are_apart(soccer):
     rng = np.random.default_rng(5)
     for _ in range(50):
         noisy = {name: rng.normal(points, 2.0) for name, points in swapped(CORNER).items()}
@@ -130,7 +128,7 @@ def test_classes_swapped_at_a_corner_are_apart(soccer) -> None:
 
 @pytest.mark.parametrize("seen", [0.6, 0.75, 1.0])
 @pytest.mark.parametrize("noise", [0.5, 2.0])
-def test_who_saw_less_of_a_line_still_agrees(soccer, seen, noise) -> None:
+def test_who_saw_less_of_a_line_still_agrees(soccer, seen, noise):
     rng = np.random.default_rng(6)
     course = np.linspace((200, 100), (700, 300), 101)
     arc = on_ellipse(np.linspace(0.3, 3.0, 101))
@@ -145,14 +143,14 @@ def test_who_saw_less_of_a_line_still_agrees(soccer, seen, noise) -> None:
                 assert found.median < 4 * noise
 
 
-def test_lines_that_share_a_small_part_of_the_shorter_are_apart(small_field) -> None:
+def test_lines_that_share_a_small_part_of_the_shorter_are_apart(small_field):
     line = [(100, 100), (500, 100)]
     assert agreement(small_field, "middle", line, [(485, 102), (700, 102)]).apart
     found = agreement(small_field, "middle", line, [(460, 102), (700, 102)])
     assert found.distances == pytest.approx([2.0, 2.0])
 
 
-def test_arcs_that_meet_at_an_end_are_apart(soccer) -> None:
+def test_arcs_that_meet_at_an_end_are_apart(soccer):
     a, b = on_ellipse(np.linspace(0.0, 1.5, 6)), on_ellipse(np.linspace(1.48, 3.0, 6))
     assert agreement(soccer, "Circle left", a, b).apart
     # The whole of a circle has no ends to go beyond.
@@ -172,7 +170,7 @@ def _meeting(polylines: dict) -> list[tuple[str, str]]:
 
 
 @pytest.mark.parametrize("every", [8, pytest.param(1, marks=pytest.mark.soak)])
-def test_on_real_frames_noise_is_agreement_and_a_swap_is_not(soccer, shared_data, every) -> None:
+def test_on_real_frames_noise_is_agreement_and_a_swap_is_not(soccer, shared_data, every):
     rng = np.random.default_rng(0)
     elements = swaps = agreeing = 0
     for path in sorted((shared_data / "wc14" / "annotations").glob("*.json"))[::every]:
@@ -197,7 +195,7 @@ def test_on_real_frames_noise_is_agreement_and_a_swap_is_not(soccer, shared_data
 
 
 @pytest.mark.parametrize("name", ["middle", "Circle"])
-def test_a_single_click_is_measured_and_measures_nothing_longer(small_field, name) -> None:
+def test_a_single_click_is_measured_and_measures_nothing_longer(small_field, name):
     line = [(100, 100), (500, 100)]
     assert agreement(small_field, name, [(300, 104)], line).distances == pytest.approx([4.0])
     assert agreement(small_field, name, line, [(300, 104)]).distances == pytest.approx([4.0])
@@ -212,7 +210,7 @@ def test_a_single_click_is_measured_and_measures_nothing_longer(small_field, nam
 @pytest.mark.parametrize(("first", "second"), [(5, 5), (5, 8), (6, 7), (8, 8)])
 @pytest.mark.parametrize("stretch", [(0.0, 2 * np.pi), (0.3, 3.5), (-0.6, 0.9), (2.0, 4.0)])
 @pytest.mark.parametrize("class_name", ["Circle central", "Circle left"])
-def test_different_clicks_on_one_ellipse_agree(soccer, first, second, stretch, class_name) -> None:
+def test_different_clicks_on_one_ellipse_agree(soccer, first, second, stretch, class_name):
     rng = np.random.default_rng(first * 10 + second)
     for _ in range(10):
         clicks = []
@@ -226,14 +224,14 @@ def test_different_clicks_on_one_ellipse_agree(soccer, first, second, stretch, c
             assert found.left_out <= 4
 
 
-def test_a_shift_of_a_whole_ellipse_is_found(soccer) -> None:
+def test_a_shift_of_a_whole_ellipse_is_found(soccer):
     a = on_ellipse(np.linspace(0, 6, 8))
     lower = on_ellipse(np.linspace(0.3, 6.3, 9), centre=(480.0, 273.0))
     found = agreement(soccer, "Circle central", a, lower)
     assert 2.5 < found.p95 <= found.largest == pytest.approx(3.0, abs=0.05)
 
 
-def test_order_of_clicks_around_an_ellipse_means_nothing(soccer) -> None:
+def test_order_of_clicks_around_an_ellipse_means_nothing(soccer):
     a, b = on_ellipse(np.linspace(0, 6, 9)), on_ellipse(np.linspace(0.2, 5.8, 7))
     mixed = np.random.default_rng(0).permutation(a)
     found = agreement(soccer, "Circle central", mixed, b)
@@ -241,7 +239,7 @@ def test_order_of_clicks_around_an_ellipse_means_nothing(soccer) -> None:
     assert found.left_out == 0
 
 
-def test_a_circle_clicked_all_round_has_no_ends_and_an_arc_has(soccer) -> None:
+def test_a_circle_clicked_all_round_has_no_ends_and_an_arc_has(soccer):
     round_about, gap = on_ellipse(np.arange(6) * np.pi / 3), on_ellipse([np.pi / 6, 0.2, 0.6, 1, 2])
     assert agreement(soccer, "Circle central", round_about, gap).left_out > 0  # the gap is one's
     a, b = on_ellipse(np.linspace(0.0, 2.0, 6)), on_ellipse(np.linspace(1.0, 3.0, 6))
@@ -250,7 +248,7 @@ def test_a_circle_clicked_all_round_has_no_ends_and_an_arc_has(soccer) -> None:
     assert found.left_out >= 4
 
 
-def test_a_curve_of_few_clicks_is_measured_by_the_other_only(soccer) -> None:
+def test_a_curve_of_few_clicks_is_measured_by_the_other_only(soccer):
     few, many = on_ellipse([0.2, 1.5, 2.8]), on_ellipse(np.linspace(0, 3, 8))
     for found in (
         agreement(soccer, "Circle left", few, many),
@@ -260,14 +258,14 @@ def test_a_curve_of_few_clicks_is_measured_by_the_other_only(soccer) -> None:
         assert found.largest < 0.05
 
 
-def test_a_spline_bends_where_a_chord_would_cut(soccer) -> None:
+def test_a_spline_bends_where_a_chord_would_cut(soccer):
     few, other = on_ellipse(np.linspace(1.0, 2.2, 4)), on_ellipse(np.linspace(1.2, 2.0, 3))
     found = agreement(soccer, "Circle left", few, other)
     assert len(found.distances) >= 5
     assert found.largest < 0.15  # chords of the first are up to 1 px off
 
 
-def test_noise_comes_out_as_it_went_in(soccer) -> None:
+def test_noise_comes_out_as_it_went_in(soccer):
     rng = np.random.default_rng(7)
     sums = AgreementAccumulator([5.0])
     for frame in range(150):
@@ -289,7 +287,7 @@ def test_noise_comes_out_as_it_went_in(soccer) -> None:
 
 @pytest.mark.laps
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e6])
-def test_clicks_that_determine_no_ellipse_are_followed_all_the_same(soccer, scale, lap) -> None:
+def test_clicks_that_determine_no_ellipse_are_followed_all_the_same(soccer, scale, lap):
     # On a line an ellipse fit finds rounding errors; on a hyperbola, an ellipse that is none.
     rng = np.random.default_rng((11, lap))
     for _ in range(25):
@@ -304,7 +302,7 @@ def test_clicks_that_determine_no_ellipse_are_followed_all_the_same(soccer, scal
 # ---------------------------------------------------------------------------- frames and sets
 
 
-def test_jac_counts_elements_all_of_whose_clicks_are_below_tau(small_field) -> None:
+def test_jac_counts_elements_all_of_whose_clicks_are_below_tau(small_field):
     a = annotation(
         middle=[(100, 100), (500, 100)], left=[(10, 10), (10, 200)], bar=[(0, 300), (50, 300)]
     )
@@ -320,7 +318,7 @@ def test_jac_counts_elements_all_of_whose_clicks_are_below_tau(small_field) -> N
     assert frame.jac(exact) == 1 / 4  # strictly below, as for cameras
 
 
-def test_only_classes_with_geometry_and_clicks_count(small_field) -> None:
+def test_only_classes_with_geometry_and_clicks_count(small_field):
     line = [(0, 0), (9, 9)]
     a = annotation(**{"Line unknown": line, "never heard of": line, "left": []})
     frame = compare_annotations(a, annotation(middle=[]), small_field, SIZE)
@@ -337,7 +335,7 @@ SIDE = {
 }
 
 
-def test_mirrored_labels_are_hinted_at_and_not_corrected(soccer) -> None:
+def test_mirrored_labels_are_hinted_at_and_not_corrected(soccer):
     turned = {soccer.symmetries[0].name_of(name): points for name, points in SIDE.items()}
     frame = compare_annotations(annotation(**SIDE), annotation(**turned), soccer, SIZE)
     assert frame.mirrored_hint
@@ -346,7 +344,7 @@ def test_mirrored_labels_are_hinted_at_and_not_corrected(soccer) -> None:
     assert frame.jac(5.0) == 1 / 7
 
 
-def test_no_hint_where_labels_agree_or_nothing_does(soccer) -> None:
+def test_no_hint_where_labels_agree_or_nothing_does(soccer):
     a = annotation(**SIDE)
     elsewhere = {name: [(x + 200, y + 30) for x, y in points] for name, points in SIDE.items()}
     fewer = {name: SIDE[name] for name in ("Side line left", "Middle line")}
@@ -354,7 +352,7 @@ def test_no_hint_where_labels_agree_or_nothing_does(soccer) -> None:
         assert not compare_annotations(a, annotation(**b), soccer, SIZE).mirrored_hint
 
 
-def test_sums_of_a_set(small_field) -> None:
+def test_sums_of_a_set(small_field):
     line, moved = [(100, 100), (500, 100)], [(100, 104), (500, 104)]
     sums = AgreementAccumulator([5, 2], only_a=["7"], only_b=["8", "9"])
     pairs = {
@@ -380,13 +378,13 @@ def test_sums_of_a_set(small_field) -> None:
     assert (found.overall.common, found.overall.only_b, found.overall.points) == (3, 1, 8)
 
 
-def test_an_empty_set_has_no_figures() -> None:
+def test_an_empty_set_has_no_figures():
     found = AgreementAccumulator([5.0]).summary()
     assert found.mean_jac == {5.0: None}
     assert (found.frames, found.overall.points, found.overall.median) == (0, 0, None)
 
 
-def test_quantile_is_the_usual_one() -> None:
+def test_quantile_is_the_usual_one():
     values = np.sort(np.random.default_rng(1).normal(size=37))
     for share in (0.0, 0.5, 0.95, 1.0):
         assert sorted_quantile(values, share) == pytest.approx(np.quantile(values, share))

@@ -1,7 +1,5 @@
 """Scores of fields other than soccer: spots, chains, several turns or none, optional elements."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

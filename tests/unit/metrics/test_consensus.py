@@ -1,7 +1,5 @@
 """The middle of several annotators' courses: near the truth, and moved little by who strays."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -29,7 +27,7 @@ def middle(annotations, name: str):
     return None if found is None else points_px(found, SIZE)
 
 
-def test_of_three_lines_it_is_the_one_between_however_far_the_third_strays() -> None:
+def test_of_three_lines_it_is_the_one_between_however_far_the_third_strays():
     for far in (3.0, 60.0):
         lines = [of(TOP, moved(off)) for off in (0.0, 2.0, far)]
         found = middle(lines, TOP)
@@ -38,14 +36,14 @@ def test_of_three_lines_it_is_the_one_between_however_far_the_third_strays() -> 
         assert off == pytest.approx(2.0, abs=0.02)
 
 
-def test_a_line_that_bears_anothers_name_moves_nothing() -> None:
+def test_a_line_that_bears_anothers_name_moves_nothing():
     across = np.array([(400.0, 20.0), (405.0, 200.0), (410.0, 400.0)])
     found = middle([of(TOP, LINE), of(TOP, moved(1)), of(TOP, across)], TOP)
     off = found[:, 1] - np.interp(found[:, 0], LINE[:, 0], LINE[:, 1])
     assert np.abs(off - 0.5).max() < 0.02
 
 
-def test_it_runs_where_more_than_half_run() -> None:
+def test_it_runs_where_more_than_half_run():
     parts = [LINE[:2], LINE, LINE[1:]]
     found = middle([of(TOP, part) for part in parts], TOP)
     assert (found[:, 0].min(), found[:, 0].max()) == pytest.approx((100.0, 700.0), abs=1.0)
@@ -55,7 +53,7 @@ def test_it_runs_where_more_than_half_run() -> None:
     )  # 5 % beyond clicks
 
 
-def test_elements_of_exactly_half_are_undecided_and_of_fewer_are_none() -> None:
+def test_elements_of_exactly_half_are_undecided_and_of_fewer_are_none():
     both, one = {TOP: LINE, MIDDLE: moved(200)}, {TOP: LINE}
     frames = [FrameAnnotation.from_dict(own, size=SIZE) for own in (both, both, one, one)]
     of_all, of_others = build_consensus(frames, FIELD, SIZE)
@@ -71,7 +69,7 @@ def test_elements_of_exactly_half_are_undecided_and_of_fewer_are_none() -> None:
     assert added.only_a == (MIDDLE,)
 
 
-def test_two_lines_far_apart_along_have_no_middle() -> None:
+def test_two_lines_far_apart_along_have_no_middle():
     of_all, _ = build_consensus(
         [of(TOP, LINE[:2]), of(TOP, LINE[2:] + np.array((60, 3)))], FIELD, SIZE
     )
@@ -79,7 +77,7 @@ def test_two_lines_far_apart_along_have_no_middle() -> None:
     assert of_all.undecided == (TOP,)
 
 
-def test_a_circle_that_leaves_the_picture_gets_no_points_where_nobody_clicked() -> None:
+def test_a_circle_that_leaves_the_picture_gets_no_points_where_nobody_clicked():
     angles = np.deg2rad(np.linspace(-60, 240, 16))
     circle = np.column_stack((480 + 200 * np.cos(angles), 270 + 60 * np.sin(angles)))
     rng = np.random.default_rng(1)
@@ -91,13 +89,13 @@ def test_a_circle_that_leaves_the_picture_gets_no_points_where_nobody_clicked() 
     assert len(found) >= 8
 
 
-def test_single_clicks_meet_at_their_median() -> None:
+def test_single_clicks_meet_at_their_median():
     places = [(100.0, 100.0), (103.0, 101.0), (400.0, 102.0)]
     found = middle([of(TOP, [place]) for place in places], TOP)
     assert found.tolist() == [[pytest.approx(103.0), pytest.approx(101.0)]]
 
 
-def test_the_consensus_of_five_is_nearer_the_truth_than_any_of_them() -> None:
+def test_the_consensus_of_five_is_nearer_the_truth_than_any_of_them():
     angles = np.deg2rad(np.linspace(10, 350, 14))
     truth = {
         TOP: LINE,
@@ -136,7 +134,7 @@ def odd_points(rng: np.random.Generator) -> np.ndarray:
 
 
 @pytest.mark.parametrize("sport", ["soccer", "basketball_nba", "athletics"])
-def test_whatever_was_clicked_distances_are_numbers(sport) -> None:
+def test_whatever_was_clicked_distances_are_numbers(sport):
     field, rng = load_field(sport), np.random.default_rng(6)
     names = [element.name for element in field.elements]
     for _ in range(25):

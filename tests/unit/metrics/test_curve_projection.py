@@ -1,7 +1,5 @@
 """The procc protocol's curves: closed, fine, cleanly cut and clipped."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

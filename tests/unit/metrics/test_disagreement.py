@@ -1,7 +1,5 @@
 """The distance on the ground between what a pixel means to two cameras."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
@@ -303,5 +301,5 @@ VALUES = np.array([[0.0, 1.0, np.nan], [4.0, 5.0, 6.0]])
         (np.nan, 0.0, None),
     ],
 )
-def test_in_proportion_to_the_distances(x, y, expected) -> None:
+def test_in_proportion_to_the_distances(x, y, expected):
     assert bilinear_value(VALUES, XS, YS, x, y) == (expected and pytest.approx(expected))

@@ -1,7 +1,5 @@
 """The metrics of earlier papers, against hand-made cases and an independent raster."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The official evaluation's visible polylines, quirk by quirk."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

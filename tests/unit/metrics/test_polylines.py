@@ -1,7 +1,5 @@
 """Distances to polylines, against brute force."""
 
-from __future__ import annotations
-
 import itertools
 import math
 

@@ -1,7 +1,5 @@
 """Sources that give projected polylines: judged exactly as the camera that drew them would be."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np
@@ -34,7 +32,7 @@ def given(**pieces: list[list[tuple[float, float]]]) -> ElementProjections:
 
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
-def test_the_polylines_of_a_camera_score_as_the_camera_does(protocol, sample_data) -> None:
+def test_the_polylines_of_a_camera_score_as_the_camera_does(protocol, sample_data):
     setup = SETUPS[protocol]
     compared = 0
     for file in sorted(sample_data.glob("*.json")):
@@ -67,7 +65,7 @@ def test_the_polylines_of_a_camera_score_as_the_camera_does(protocol, sample_dat
     assert compared >= 3
 
 
-def test_unclipped_samples_are_clipped_as_each_protocol_does() -> None:
+def test_unclipped_samples_are_clipped_as_each_protocol_does():
     camera = given(Middle_line=[[(-100.0, 100.0), (100.0, 100.0), (1100.0, 100.0)]])
     official = project_field(camera, SETUPS["soccernet"]).pieces["Middle line"]
     fine = project_field(camera, SETUPS["procc"]).pieces["Middle line"]
@@ -83,7 +81,7 @@ def test_unclipped_samples_are_clipped_as_each_protocol_does() -> None:
     ]
 
 
-def test_pieces_are_never_joined_and_circles_stay_as_they_are() -> None:
+def test_pieces_are_never_joined_and_circles_stay_as_they_are():
     circle = [(100.0, 100.0), (200.0, 100.0), (150.0, 180.0), (100.0, 100.0)]
     camera = given(
         Side_line_top=[[(10.0, 10.0), (20.0, 10.0)], [(300.0, 10.0), (400.0, 10.0)]],
@@ -102,7 +100,7 @@ def test_pieces_are_never_joined_and_circles_stay_as_they_are() -> None:
         assert distance == pytest.approx(140, abs=0.2)  # to an end, not to a line across the gap
 
 
-def test_repeated_and_single_vertices() -> None:
+def test_repeated_and_single_vertices():
     repeated = given(Middle_line=[[(10.0, 10.0), (10.0, 10.0), (20.0, 10.0)]])
     annotation = read_annotation(
         json.dumps({"Middle line": [{"x": 15 / 959, "y": 12 / 539}]}).encode(),
@@ -121,12 +119,12 @@ def test_repeated_and_single_vertices() -> None:
         assert not project_field(given(Middle_line=[]), setup).pieces
 
 
-def test_a_class_without_its_trailing_space_is_the_class() -> None:
+def test_a_class_without_its_trailing_space_is_the_class():
     camera = ElementProjections({"Goal left post left": (np.array([[1.0, 1], [5, 5]]),)})
     assert list(project_field(camera, SETUPS["procc"]).pieces) == ["Goal left post left "]
 
 
-def test_a_whole_camera_and_its_projections_agree_on_every_official_sample() -> None:
+def test_a_whole_camera_and_its_projections_agree_on_every_official_sample():
     """Handing over unclipped official samples gives the same visible polylines."""
     setup = SETUPS["soccernet"]
     camera = PinholeCamera(0.1, 1.35, 0.0, (2.0, 60.0, -15.0), (600.0, 600.0), (479.5, 269.5))

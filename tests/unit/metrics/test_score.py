@@ -1,7 +1,5 @@
 """Measuring and scoring one frame, with cases small enough to reckon by hand."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Steadiness over shots whose jitter, jumps and offset are known."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 
@@ -53,7 +51,7 @@ def measured(cameras: list, numbers: range | None = None) -> tuple[ShotJitter, D
     return found, find_discontinuities(cameras, order, points, SIZE, found)
 
 
-def test_a_camera_that_turns_smoothly_hardly_trembles() -> None:
+def test_a_camera_that_turns_smoothly_hardly_trembles():
     steady, broken = measured(list(steady_shot()))
     assert (shot_rms(steady.px) or 1) < 0.02
     assert not broken.jumps
@@ -61,7 +59,7 @@ def test_a_camera_that_turns_smoothly_hardly_trembles() -> None:
 
 
 @pytest.mark.parametrize("pan_px", [0.5, 2.0])
-def test_jitter_is_what_each_frame_was_shaken_by(pan_px) -> None:
+def test_jitter_is_what_each_frame_was_shaken_by(pan_px):
     focal = np.mean([c.focal_px[0] for c in steady_shot()])
     cameras = shaken(pan_px / focal)
     steady, broken = measured(cameras)
@@ -75,7 +73,7 @@ def test_jitter_is_what_each_frame_was_shaken_by(pan_px) -> None:
     assert not broken.jumps
 
 
-def test_metres_are_those_that_a_turn_takes_on_the_ground() -> None:
+def test_metres_are_those_that_a_turn_takes_on_the_ground():
     """Shaken about the vertical, what a pixel means turns about the camera's foot."""
     cameras = shaken(1e-3)
     steady, _ = measured(cameras)
@@ -88,7 +86,7 @@ def test_metres_are_those_that_a_turn_takes_on_the_ground() -> None:
     assert shot_rms(steady.ground_m) == pytest.approx(1e-3 * np.sqrt(np.mean(expected)), rel=0.1)
 
 
-def test_a_leap_there_and_back_and_one_that_stays() -> None:
+def test_a_leap_there_and_back_and_one_that_stays():
     cameras = list(steady_shot())
     for at in (100, 200, 201, 202, 203):
         cameras[at] = replace(cameras[at], pan_rad=cameras[at].pan_rad + 0.03)
@@ -101,14 +99,14 @@ def test_a_leap_there_and_back_and_one_that_stays() -> None:
     assert (shot_rms(steady.px, broken.unsteady) or 1) < 0.02
 
 
-def test_a_leap_among_trembling_is_told_from_it() -> None:
+def test_a_leap_among_trembling_is_told_from_it():
     cameras = shaken(1e-3)
     cameras[50] = replace(cameras[50], pan_rad=cameras[50].pan_rad + 0.05)
     _, broken = measured(cameras)
     assert [(j.frame, j.back_after) for j in broken.jumps] == [(50, 1)]
 
 
-def test_outages_and_the_time_to_come_back() -> None:
+def test_outages_and_the_time_to_come_back():
     cameras: list[PinholeCamera | None] = list(steady_shot())
     cameras[10:14] = [None] * 4
     cameras[395:] = [None] * 5
@@ -122,7 +120,7 @@ def test_outages_and_the_time_to_come_back() -> None:
     assert np.isnan(steady.px[9:15]).all()
 
 
-def test_only_frames_that_follow_each_other_count() -> None:
+def test_only_frames_that_follow_each_other_count():
     assert consecutive_neighbours([1, 2, 3, 5, 6, 7]).tolist() == [
         False,
         True,
@@ -140,7 +138,7 @@ def test_only_frames_that_follow_each_other_count() -> None:
     assert np.flatnonzero(np.isnan(steady.px)).tolist() == [0, 19, 20, 39]
 
 
-def test_a_homography_implies_where_its_camera_stands() -> None:
+def test_a_homography_implies_where_its_camera_stands():
     for camera in steady_shot()[::40]:
         turned = np.column_stack((camera.rotation_cam_from_world, translation(camera)))
         matrix = calibration_matrix(camera) @ turned[:, [0, 1, 3]]
@@ -154,7 +152,7 @@ def test_a_homography_implies_where_its_camera_stands() -> None:
     assert np.isnan(poses.position_world[1]).all()
 
 
-def test_the_shift_that_fits_best_is_found_with_its_margin() -> None:
+def test_the_shift_that_fits_best_is_found_with_its_margin():
     random = np.random.default_rng(2)
     costs = np.abs(shift_range() - 1) * 2.0 + random.uniform(1, 2, (40, 1)) * np.ones(11)
     costs += random.normal(0, 0.2, costs.shape)
@@ -165,14 +163,14 @@ def test_the_shift_that_fits_best_is_found_with_its_margin() -> None:
     assert found.margin_px == pytest.approx(2, abs=0.2)
 
 
-def test_a_camera_that_rests_has_no_offset_that_could_be_told() -> None:
+def test_a_camera_that_rests_has_no_offset_that_could_be_told():
     costs = np.ones((40, 11)) + np.random.default_rng(2).normal(0, 0.01, (40, 11))
     found = frame_offset(costs)
     assert not found.is_sure
     assert found.in_words == "cannot be told"
 
 
-def test_a_short_shot_is_tried_at_few_shifts() -> None:
+def test_a_short_shot_is_tried_at_few_shifts():
     costs = np.abs(shift_range() + 1) * np.ones((8, 1))
     for row in range(8):
         costs[row, np.abs(shift_range()) > min(row, 7 - row)] = np.nan

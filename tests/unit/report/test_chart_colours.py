@@ -1,7 +1,5 @@
 """Lines of charts are seen on the light page and on the dark one."""
 
-from __future__ import annotations
-
 import pytest
 
 from procc_annotator.field.model import linear_rgb
@@ -17,10 +15,10 @@ def luminance(colour: str) -> float:
 
 @pytest.mark.parametrize("page", PAGES)
 @pytest.mark.parametrize("colour", [*SOURCE_COLOURS, "#000000", "#ffffff", "#16181b"])
-def test_every_line_stands_out_from_the_page(colour, page) -> None:
+def test_every_line_stands_out_from_the_page(colour, page):
     dark, light = sorted((luminance(readable_on_both_themes(colour)), luminance(page)))
     assert (light + 0.05) / (dark + 0.05) >= 3.0
 
 
-def test_a_colour_that_is_seen_already_stays() -> None:
+def test_a_colour_that_is_seen_already_stays():
     assert readable_on_both_themes("#4a8dff") == "#4a8dff"

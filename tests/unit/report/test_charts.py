@@ -1,13 +1,12 @@
 """Charts show the frames' own figures, and stay readable however many frames there are."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose
 from procc_annotator.batch.frame_sums import FrameSums
@@ -21,9 +20,6 @@ from procc_annotator.report.page.report_data import (
     ReportedFrame,
     ReportedSource,
 )
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 COLOURS = ("#aa0000", "#0000aa")
 TAU = 5.03  # the curves have no such place
@@ -84,7 +80,7 @@ B: list[float | None] = [0.5, 0.8, 0.75, 0.1, 1.0, None]
 BOTH = [(50, 50), (100, 80), (25, 75), (100, 100)]
 
 
-def test_the_ordered_curve_has_the_frames_values(drawn) -> None:
+def test_the_ordered_curve_has_the_frames_values(drawn):
     report = report_of(several(A), several(B))
     charts.frame_charts(report, charted_sources(report, COLOURS))
     violins, curves = drawn["How the JaC of frames is distributed"].axes
@@ -99,7 +95,7 @@ def test_the_ordered_curve_has_the_frames_values(drawn) -> None:
     np.testing.assert_allclose(medians, [75, 75], atol=1e-4)
 
 
-def test_the_scatter_has_the_pairs_and_the_curve_their_differences(drawn) -> None:
+def test_the_scatter_has_the_pairs_and_the_curve_their_differences(drawn):
     report = report_of(several(A), several(B))
     charts.frame_charts(report, charted_sources(report, COLOURS))
     scatter, ordered = drawn["Two sources, frame by frame"].axes
@@ -113,7 +109,7 @@ def test_the_scatter_has_the_pairs_and_the_curve_their_differences(drawn) -> Non
 
 
 @pytest.mark.parametrize("copies", [1, 10, 400])
-def test_marks_of_many_frames_do_not_hide_each_other(drawn, copies) -> None:
+def test_marks_of_many_frames_do_not_hide_each_other(drawn, copies):
     report = report_of(several(copies * A + [0.9]), several(copies * B + [0.9]))
     charts.frame_charts(report, charted_sources(report, COLOURS))
     (marks,) = drawn["Two sources, frame by frame"].axes[0].collections
@@ -126,7 +122,7 @@ def test_marks_of_many_frames_do_not_hide_each_other(drawn, copies) -> None:
 @pytest.mark.parametrize(("frames", "beside_each_other"), [(300, True), (301, False)])
 def test_frames_are_beside_each_other_only_where_they_can_be_told_apart(
     drawn, frames, beside_each_other
-) -> None:
+):
     rng = np.random.default_rng(1)
     values = rng.integers(0, 11, frames) / 10
     found = charts.draw_charts(report_of(several(values.tolist())), COLOURS)
@@ -141,7 +137,7 @@ def test_frames_are_beside_each_other_only_where_they_can_be_told_apart(
     assert len(pan.get_xdata()) == (frames if beside_each_other else 100)
 
 
-def test_no_outlier_is_lost_in_a_stretch(drawn) -> None:
+def test_no_outlier_is_lost_in_a_stretch(drawn):
     frames = several([1.0] * 1454)
     frames[700] = reported("00700", 1.0, pan=-90.0)
     charts.draw_charts(report_of(frames), COLOURS)
@@ -151,7 +147,7 @@ def test_no_outlier_is_lost_in_a_stretch(drawn) -> None:
     assert corners[:, 1].max() == pytest.approx(6)
 
 
-def test_frames_have_the_score_of_the_threshold_that_is_named(drawn) -> None:
+def test_frames_have_the_score_of_the_threshold_that_is_named(drawn):
     frames = several(A)
     exact = [
         replace(f, figures={TAU: replace(f.figures[TAU], jac=0.125)}) if f.figures else f

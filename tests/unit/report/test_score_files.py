@@ -1,7 +1,5 @@
 """Score files: valid at every byte, there when complete, never half."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -60,7 +58,7 @@ def written(setup: EvaluationSetup, results: list[FrameResult], *, ground_only: 
 
 
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_json_of_any_length_is_valid(setup, count) -> None:
+def test_json_of_any_length_is_valid(setup, count):
     scores = json.loads(written(setup, [result(setup, 5.0)] * count, ground_only=False))
     assert len(scores["images"]) == count
     assert scores["field"] == scores["field_name"] == setup.field.name
@@ -68,11 +66,11 @@ def test_json_of_any_length_is_valid(setup, count) -> None:
     assert "off_plane" not in scores
 
 
-def test_off_plane_choice_is_reported_where_it_matters(setup) -> None:
+def test_off_plane_choice_is_reported_where_it_matters(setup):
     assert json.loads(written(setup, [], ground_only=True))["off_plane"] == "missed"
 
 
-def test_elements_carry_verdict_and_distances(setup) -> None:
+def test_elements_carry_verdict_and_distances(setup):
     entry = json.loads(json_fragment(result(setup, 5.0, 2.5)))
     assert entry["name"] == 'a "quoted", name'
     elements = entry["results"]["5"]["elements"]
@@ -84,7 +82,7 @@ def test_elements_carry_verdict_and_distances(setup) -> None:
     assert entry["results"]["2.5"]["elements"].keys() == elements.keys()
 
 
-def test_undefined_distances_become_null(setup) -> None:
+def test_undefined_distances_become_null(setup):
     measurement = measure(ANNOTATION, CAMERA, setup)
     measurement.plain.all_distances[:] = np.nan
     (mirrored,) = measurement.mirrored
@@ -96,7 +94,7 @@ def test_undefined_distances_become_null(setup) -> None:
     assert entry["elements"]["Middle line"]["distances"] == [None, None]
 
 
-def test_csv_rows_survive_any_name(setup) -> None:
+def test_csv_rows_survive_any_name(setup):
     stream = io.BytesIO()
     scores = CsvScores(stream)
     scores.begin()
@@ -108,17 +106,17 @@ def test_csv_rows_survive_any_name(setup) -> None:
 
 
 @pytest.mark.parametrize(("threshold", "key"), [(5.0, "5"), (2.5, "2.5"), (20, "20"), (0.1, "0.1")])
-def test_shortests(threshold, key) -> None:
+def test_shortests(threshold, key):
     assert shortest_number(threshold) == key
 
 
-def test_only_known_endings() -> None:
+def test_only_known_endings():
     assert score_format(Path("a.JSON")) == "json"
     with pytest.raises(UsageError, match="scores"):
         score_format(Path("scores.txt"))
 
 
-def test_elements_in_the_file_are_those_of_the_score(setup) -> None:
+def test_elements_in_the_file_are_those_of_the_score(setup):
     """The file is written from arrays; the window shows `FrameScore.elements`."""
     frame = result(setup, 0.5, 3.0, 30.0)
     entry = json.loads(json_fragment(frame))

@@ -1,7 +1,5 @@
 """What the terminal shows."""
 
-from __future__ import annotations
-
 import csv
 import io
 from dataclasses import dataclass, field, replace
@@ -88,7 +86,7 @@ def summary(**changes: object) -> SetSummary:
     return SetSummary(**figures)
 
 
-def test_summary_shows_what_it_was_computed_with_and_a_dash_for_the_undefined() -> None:
+def test_summary_shows_what_it_was_computed_with_and_a_dash_for_the_undefined():
     text = shown(summary_table({5.0: summary()}, "procc, 1280x720"))
     assert "procc, 1280x720" in text
     assert "84.94" in text
@@ -96,7 +94,7 @@ def test_summary_shows_what_it_was_computed_with_and_a_dash_for_the_undefined() 
     assert "–" in text
 
 
-def test_the_official_error_is_told_where_it_is_another_one() -> None:
+def test_the_official_error_is_told_where_it_is_another_one():
     tied = summary(mean_reprojection_error=7.123)
     sheet = summary_table({2.0: tied, 5.0: summary()}, "soccernet")
     at = [column.key for column in sheet.columns].index("mean_error")
@@ -105,7 +103,7 @@ def test_the_official_error_is_told_where_it_is_another_one() -> None:
     assert summary_table({5.0: summary()}, "soccernet").notes == ()
 
 
-def test_a_class_without_prediction_has_no_precision() -> None:
+def test_a_class_without_prediction_has_no_precision():
     lines = shown(classes_table({5.0: summary(), 2.5: summary()}, "soccernet")).splitlines()
     (ghost,) = [line for line in lines if "Ghost" in line]
     assert "–" in ghost
@@ -115,7 +113,7 @@ def test_a_class_without_prediction_has_no_precision() -> None:
 
 
 @given(st.lists(st.tuples(st.sampled_from([0.0, 0.25, 0.5, 1.0]), st.floats(0, 50)), max_size=40))
-def test_worst_frames_are_those_of_a_full_sort(frames) -> None:
+def test_worst_frames_are_those_of_a_full_sort(frames):
     worst = WorstFrames()
     rows = [row(f"{i}", jac, error) for i, (jac, error) in enumerate(frames)]
     for each in rows:
@@ -124,7 +122,7 @@ def test_worst_frames_are_those_of_a_full_sort(frames) -> None:
     assert [r.name for r in worst.rows()] == [r.name for r in expected]
 
 
-def test_undefined_figures_are_dashes() -> None:
+def test_undefined_figures_are_dashes():
     assert percent_text(None) == pixels(None) == percent_text(float("nan")) == pixels(np.nan) == "–"
     assert percent_text(0.5) == "50.00"
     assert pixels(1.005) in ("1.00", "1.01")
@@ -133,7 +131,7 @@ def test_undefined_figures_are_dashes() -> None:
 # How many frames a study of annotators needs, where that can be told.
 
 
-def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames() -> None:
+def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames():
     overall = AgreementMetrics(9, 0, 0, 0, 99, 0, 2.0, 8.0, 9.0)
     summary = AgreementSummary(9, (), (), (), overall, {}, {})
     known = AgreementIntervals(
@@ -146,7 +144,7 @@ def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames() ->
     assert needed["95 %, px"] == [None] * 3
 
 
-def test_intervals_of_few_frames_are_told_to_be_unreliable() -> None:
+def test_intervals_of_few_frames_are_told_to_be_unreliable():
     few, enough = (clusters_of([str(n) for n in range(count)], NONE, {}) for count in (4, 5))
     assert "fewer than 5 frames no interval is to be relied on" in intervals_described(
         BootstrapSettings(), few
@@ -166,7 +164,7 @@ class Fits:
     held_out: LeftOutMetrics = field(default_factory=LeftOutMetrics)
 
 
-def test_elements_off_the_ground_that_are_left_out_are_told() -> None:
+def test_elements_off_the_ground_that_are_left_out_are_told():
     setup = EvaluationSetup(load_field("soccer"), (960, 540), off_plane="left_out")
     words = "off-plane elements left out"
     ground, pinholes = ("H", Fits(ground_only=True)), ("R", Fits(ground_only=False))
@@ -182,7 +180,7 @@ def test_elements_off_the_ground_that_are_left_out_are_told() -> None:
 # What a plot shows, as a table for a spreadsheet.
 
 
-def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula() -> None:
+def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula():
     table = PlotData(
         ("number", "name", "=jac"),
         (np.arange(1, 4), ["=cmd()", "b, c", "d"], np.array([0.5, np.nan, 1 / 3])),
@@ -211,7 +209,7 @@ def pair(name: str, frames: int, **fewer: int) -> ReportedPair:
     return ReportedPair("true", name, ComparisonSummary(frames, (), spread, spread, 0.5, legacy))
 
 
-def test_frames_are_told_of_each_figure_that_is_not_of_all_of_them() -> None:
+def test_frames_are_told_of_each_figure_that_is_not_of_all_of_them():
     failed = ReportedPair("true", "none", None, failure="no camera can be read")
     sheet = legacy_section("true", [pair("a", 6), pair("b", 4, iou_whole=3), failed])
     keys = [column.key for column in sheet.columns]
@@ -223,7 +221,7 @@ def test_frames_are_told_of_each_figure_that_is_not_of_all_of_them() -> None:
     assert rows[1]["iou_whole_mean"] == rows[1]["iou_part_mean"] == 0.75
 
 
-def test_frames_stand_once_where_they_are_the_same_for_every_figure() -> None:
+def test_frames_stand_once_where_they_are_the_same_for_every_figure():
     sheet = legacy_section("true", [pair("a", 6), pair("b", 4)])
     assert len(sheet.columns) == 2 + 2 * len(LEGACY)
 
@@ -237,7 +235,7 @@ def rows(report: CheckReport) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(findings_csv(report).decode())))
 
 
-def test_every_error_says_which_pixels_and_whose_camera() -> None:
+def test_every_error_says_which_pixels_and_whose_camera():
     off = Finding(
         Rule.RESIDUAL, Severity.ERROR, ("Middle line",), "off", (LOOK,), 0, 20.0, model="R+"
     )
@@ -253,7 +251,7 @@ def test_every_error_says_which_pixels_and_whose_camera() -> None:
     assert (second["width"], second["height"]) == ("1920", "1080")
 
 
-def test_no_cell_is_run_as_a_formula() -> None:
+def test_no_cell_is_run_as_a_formula():
     found = Finding(Rule.BENT, Severity.ERROR, ("=1+1",), "-bent", (LOOK,))
     report = CheckReport(
         found=[ReportedFinding("+a", found, (960, 540))], unreadable=[("@b", "=c.json: damaged")]
@@ -286,7 +284,7 @@ ROWS = (
 )
 
 
-def test_an_empty_set_has_a_header_only() -> None:
+def test_an_empty_set_has_a_header_only():
     assert overview_csv([]).decode() == ",".join(TABLE_COLUMNS) + "\r\n"
 
 
@@ -294,7 +292,7 @@ def _table(rows: tuple[OverviewRow, ...]) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(overview_csv(rows).decode(), newline="")))
 
 
-def test_the_table_has_a_row_a_frame_and_a_column_a_class() -> None:
+def test_the_table_has_a_row_a_frame_and_a_column_a_class():
     table = _table(ROWS)
     assert list(table[0]) == [
         *TABLE_COLUMNS, "points_hand", "points_line_fit",
@@ -311,7 +309,7 @@ def test_the_table_has_a_row_a_frame_and_a_column_a_class() -> None:
     assert table[0]["jac"] == ""
 
 
-def test_the_table_is_rfc_4180() -> None:
+def test_the_table_is_rfc_4180():
     row = replace(EMPTY, name='a,"b"\nc')
     head, rest = overview_csv([row]).decode().split("\r\n", 1)
     assert head == ",".join(TABLE_COLUMNS)
@@ -320,7 +318,7 @@ def test_the_table_is_rfc_4180() -> None:
 
 
 @pytest.mark.parametrize("start", ["=", "+", "-", "@", "\t", "\r"])
-def test_nothing_in_the_table_is_a_formula(start) -> None:
+def test_nothing_in_the_table_is_a_formula(start):
     text = start + "SUM(A1:A9)"
     row = replace(EMPTY, name=text, status=text, classes={text: 3}, origins={text: 3})
     for lines in csv.reader(io.StringIO(overview_csv([row]).decode(), newline="")):
@@ -328,6 +326,6 @@ def test_nothing_in_the_table_is_a_formula(start) -> None:
     assert _table((row,))[0]["name"] == "'" + text
 
 
-def test_a_class_called_like_a_column_gets_its_own() -> None:
+def test_a_class_called_like_a_column_gets_its_own():
     table = _table((replace(EMPTY, name="a", classes={"name": 4}),))
     assert (table[0]["name"], table[0]["name (class)"]) == ("a", "4")

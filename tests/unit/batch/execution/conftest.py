@@ -1,7 +1,5 @@
 """Tasks that worker processes can import."""
 
-from __future__ import annotations
-
 import importlib
 from pathlib import Path
 from types import ModuleType

@@ -1,7 +1,5 @@
 """Tasks for executors under test; workers import this module by its name."""
 
-from __future__ import annotations
-
 import os
 import signal
 import threading

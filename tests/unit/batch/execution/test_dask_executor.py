@@ -1,7 +1,5 @@
 """The same work on a real Dask cluster: a scheduler and worker processes on loopback."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os
@@ -185,7 +183,7 @@ def same(a: tuple[list[FrameResult], Any], b: tuple[list[FrameResult], Any]) -> 
             assert distances == other.labelling.all_distances.tobytes()
 
 
-def test_a_cluster_without_workers_is_said_so(cluster, monkeypatch) -> None:
+def test_a_cluster_without_workers_is_said_so(cluster, monkeypatch):
     if cluster.workers:
         with make_executor(dask=cluster.address) as executor:
             cluster.remove_workers()
@@ -198,7 +196,7 @@ def test_a_cluster_without_workers_is_said_so(cluster, monkeypatch) -> None:
         pass
 
 
-def test_figures_are_the_same_with_a_worker_killed_midway(tasks, two_workers, set_, marks) -> None:
+def test_figures_are_the_same_with_a_worker_killed_midway(tasks, two_workers, set_, marks):
     alone = evaluate(set_, InProcess())
     assert any(r.error for r in alone[0])
     assert evaluate(set_, two_workers)[1] == alone[1]
@@ -217,7 +215,7 @@ def _noting(task: Any, seen: list[Any]) -> Callable[[Any], Any]:
     return noted
 
 
-def test_local_processes_give_the_same_with_one_killed(tasks, set_, marks) -> None:
+def test_local_processes_give_the_same_with_one_killed(tasks, set_, marks):
     seen: list[Any] = []
     alone = evaluate(set_, Wrapped(InProcess(), lambda task: _noting(task, seen)))
     with make_executor(2) as pool:
@@ -226,7 +224,7 @@ def test_local_processes_give_the_same_with_one_killed(tasks, set_, marks) -> No
     assert len(list(marks.iterdir())) == 1
 
 
-def test_a_worker_killed_from_outside_loses_nothing(tasks, cluster, two_workers, tmp_path) -> None:
+def test_a_worker_killed_from_outside_loses_nothing(tasks, cluster, two_workers, tmp_path):
     gate = tmp_path / "gate"
     results = two_workers.map(tasks.Waiting(gate), range(12))
     first, pid = next(results)
@@ -239,7 +237,7 @@ def test_a_worker_killed_from_outside_loses_nothing(tasks, cluster, two_workers,
     assert {pid for _, pid in rest} == {w.pid for w in cluster.workers if w is not victim}
 
 
-def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers) -> None:
+def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers):
     results = workers.map(tasks.Failing(1), range(9))
     assert next(results) == 0
     with pytest.raises(CameraError, match=r"a\.json: line 3: is damaged \(mend it\)"):
@@ -250,7 +248,7 @@ def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers) -> None:
     assert [chunk for chunk, _ in workers.map(tasks.with_pid, range(3))] == [0, 1, 2]
 
 
-def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch) -> None:
+def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch):
     from distributed import Future
 
     fetch = Future.result
@@ -269,7 +267,7 @@ def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch)
         list(workers.map(tasks.too_slow, range(3)))
 
 
-def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path) -> None:
+def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path):
     run = run_evaluation(
         open_source(set_ / "annotations"),
         CameraCollection.open(set_ / "cameras"),
@@ -283,13 +281,13 @@ def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path) -> N
         list(run)
 
 
-def test_another_version_on_a_worker_is_refused(tasks, workers, monkeypatch) -> None:
+def test_another_version_on_a_worker_is_refused(tasks, workers, monkeypatch):
     monkeypatch.setattr(dask_cluster, "__version__", "99")
     with pytest.raises(ProccError, match=r"a Dask worker has procc-annotator .* this is 99"):
         list(workers.map(tasks.with_pid, range(2)))
 
 
-def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch) -> None:
+def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch):
     monkeypatch.setattr(dask_cluster, "ANSWER_S", 0.5)
     with (
         pytest.raises(ProccError, match=r"no Dask scheduler answers at tcp://127\.0\.0\.1:1 "),
@@ -299,18 +297,18 @@ def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch) -> None:
 
 
 @pytest.mark.parametrize("address", ["nonsense", "", "gopher://host:1", "tcp://host"])
-def test_what_is_no_address_is_one_line(address) -> None:
+def test_what_is_no_address_is_one_line(address):
     with pytest.raises(UsageError, match="HOST:PORT"), make_executor(dask=address):
         pass
 
 
-def test_a_worker_is_no_scheduler(cluster, workers) -> None:
+def test_a_worker_is_no_scheduler(cluster, workers):
     (address, *_) = workers._client.nthreads()
     with pytest.raises(UsageError, match="not a Dask scheduler"), make_executor(dask=address):
         pass
 
 
-def test_without_the_library_the_extra_is_advised(monkeypatch) -> None:
+def test_without_the_library_the_extra_is_advised(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with (
         pytest.raises(ProccError, match=r"pip install 'procc-annotator\[dask\]'"),
@@ -319,9 +317,7 @@ def test_without_the_library_the_extra_is_advised(monkeypatch) -> None:
         pass
 
 
-def test_a_scheduler_that_is_lost_midway_is_one_line(
-    tasks, cluster, workers, tmp_path, capfd
-) -> None:
+def test_a_scheduler_that_is_lost_midway_is_one_line(tasks, cluster, workers, tmp_path, capfd):
     gate = tmp_path / "gate"
     results = workers.map(tasks.Waiting(gate), range(12))
     next(results)

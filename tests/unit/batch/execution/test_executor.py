@@ -1,7 +1,5 @@
 """Work shared in this process and among local ones; lost workers, errors, interrupts."""
 
-from __future__ import annotations
-
 import contextlib
 import itertools
 import os
@@ -38,7 +36,7 @@ def marks(tmp_path) -> Path:
     return folder
 
 
-def test_how_many_processes_suit_the_work(monkeypatch) -> None:
+def test_how_many_processes_suit_the_work(monkeypatch):
     monkeypatch.setattr(executors, "usable_cpus", lambda: 3)
     with make_executor(frames=1999) as few:
         assert isinstance(few, InProcess)
@@ -51,7 +49,7 @@ def test_how_many_processes_suit_the_work(monkeypatch) -> None:
         assert isinstance(told, InProcess)
 
 
-def test_results_come_in_the_order_of_the_chunks(tasks, pool) -> None:
+def test_results_come_in_the_order_of_the_chunks(tasks, pool):
     results = list(pool.map(tasks.with_pid, range(40)))
     assert [chunk for chunk, _ in results] == list(range(40))
     assert os.getpid() not in {pid for _, pid in results}
@@ -59,7 +57,7 @@ def test_results_come_in_the_order_of_the_chunks(tasks, pool) -> None:
 
 
 @pytest.mark.parametrize("make", [InProcess, None], ids=["in process", "pool"])
-def test_chunks_are_taken_as_results_are(tasks, pool, make) -> None:
+def test_chunks_are_taken_as_results_are(tasks, pool, make):
     taken = []
 
     def endless() -> Iterator[int]:
@@ -75,7 +73,7 @@ def test_chunks_are_taken_as_results_are(tasks, pool, make) -> None:
         close()
 
 
-def test_errors_travel_whole_and_the_pool_goes_on(tasks, pool) -> None:
+def test_errors_travel_whole_and_the_pool_goes_on(tasks, pool):
     results = pool.map(tasks.Failing(2), range(9))
     assert [next(results), next(results)] == [0, 1]
     with pytest.raises(CameraError) as caught:
@@ -85,7 +83,7 @@ def test_errors_travel_whole_and_the_pool_goes_on(tasks, pool) -> None:
     assert list(pool.map(tasks.Failing(-1), range(3))) == [0, 1, 2]
 
 
-def test_a_worker_keeps_its_copy_of_the_task_and_closes_it(tasks, tmp_path) -> None:
+def test_a_worker_keeps_its_copy_of_the_task_and_closes_it(tasks, tmp_path):
     with ProcessPool(1) as one:
         ((pid, _), *_, (_, calls)) = one.map(tasks.Counting(tmp_path), range(20))
         assert calls == 20
@@ -96,20 +94,20 @@ def test_a_worker_keeps_its_copy_of_the_task_and_closes_it(tasks, tmp_path) -> N
     assert [path.name.partition("-")[0] for path in tmp_path.iterdir()] == [str(pid)]
 
 
-def test_files_that_changed_between_two_calls_are_opened_anew(tasks, pool, tmp_path) -> None:
+def test_files_that_changed_between_two_calls_are_opened_anew(tasks, pool, tmp_path):
     task = tasks.Counting(tmp_path)
     first = [calls for _, calls in pool.map(task, range(1))]
     assert first == [calls for _, calls in pool.map(task, range(1))] == [1]
 
 
 @pytest.mark.parametrize("at", [0, 5, 11])
-def test_a_lost_workers_chunk_is_done_again(tasks, pool, marks, at) -> None:
+def test_a_lost_workers_chunk_is_done_again(tasks, pool, marks, at):
     task = tasks.Killer(tasks.with_pid, at, marks)
     assert [chunk for chunk, _ in pool.map(task, range(12))] == list(range(12))
     assert len(list(marks.iterdir())) == 1
 
 
-def test_a_worker_killed_from_outside_is_replaced(tasks, pool, tmp_path) -> None:
+def test_a_worker_killed_from_outside_is_replaced(tasks, pool, tmp_path):
     gate = tmp_path / "gate"
     results = pool.map(tasks.Waiting(gate), range(9))
     first, pid = next(results)
@@ -134,12 +132,12 @@ def test_a_pool_that_breaks_while_it_starts_a_process_loses_nothing(tasks, pool,
     assert not errors
 
 
-def test_three_losses_are_survived_and_blamed_on_nobody_else(tasks, pool, marks) -> None:
+def test_three_losses_are_survived_and_blamed_on_nobody_else(tasks, pool, marks):
     task = tasks.Killer(tasks.with_pid, 4, marks, times=3)
     assert [chunk for chunk, _ in pool.map(task, range(9))] == list(range(9))
 
 
-def test_a_chunk_that_kills_every_worker_is_named(tasks, pool, marks) -> None:
+def test_a_chunk_that_kills_every_worker_is_named(tasks, pool, marks):
     task = tasks.Killer(tasks.with_pid, 4, marks, times=99)
     results = pool.map(task, range(9), name="frames {}".format)
     done = []
@@ -149,7 +147,7 @@ def test_a_chunk_that_kills_every_worker_is_named(tasks, pool, marks) -> None:
     assert [chunk for chunk, _ in pool.map(tasks.with_pid, range(3))] == [0, 1, 2]
 
 
-def test_workers_and_a_cluster_exclude_each_other() -> None:
+def test_workers_and_a_cluster_exclude_each_other():
     with pytest.raises(UsageError, match="--dask"), make_executor(2, "tcp://127.0.0.1:1"):
         pass
 
@@ -189,7 +187,7 @@ IGNORING = ("sh", "-c", "trap '' INT; exec \"$@\"", "sh")  # as a script does th
         pytest.param("busy", signal.SIGKILL, (), id="killed-busy", marks=pytest.mark.soak),
     ],
 )
-def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how, parent) -> None:
+def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how, parent):
     """Ctrl+C goes to all processes of a terminal; being killed, to the main one only."""
     program = tmp_path / "program.py"
     program.write_text(PROGRAM)

@@ -1,7 +1,5 @@
 """Length and width of a field are found from many frames, with an honest standard deviation."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -59,7 +57,7 @@ def stadium(views_of, field, request) -> StadiumFit:
     return fitted(make_frames(views_of, load_field("soccer", **TRUE), pans, 7), field)
 
 
-def test_the_dimensions_of_a_made_up_stadium_are_found(stadium, request) -> None:
+def test_the_dimensions_of_a_made_up_stadium_are_found(stadium, request):
     for found in stadium.dimensions:
         off = abs(found.dimension.value - TRUE[found.dimension.name])
         assert off < 0.3
@@ -72,7 +70,7 @@ def test_the_dimensions_of_a_made_up_stadium_are_found(stadium, request) -> None
     assert stadium.values.keys() == TRUE.keys()
 
 
-def test_a_set_that_never_sees_an_end_does_not_tell_the_length(views_of, field) -> None:
+def test_a_set_that_never_sees_an_end_does_not_tell_the_length(views_of, field):
     frames = make_frames(views_of, field, [-2.0, 0.0, 1.0, 3.0], 3)
     middle = {"Middle line", "Circle central", "Side line top"}
     frames = {
@@ -87,7 +85,7 @@ def test_a_set_that_never_sees_an_end_does_not_tell_the_length(views_of, field) 
     assert width.frames > 0
 
 
-def test_dimensions_of_a_court_are_found_as_well() -> None:
+def test_dimensions_of_a_court_are_found_as_well():
     true = {"length": 38.4, "width": 18.7}
     views = Views(load_field("futsal", **true))
     rng = np.random.default_rng(8)
@@ -98,7 +96,7 @@ def test_dimensions_of_a_court_are_found_as_well() -> None:
         assert off < max(3 * found.sd_m, 0.1)
 
 
-def test_a_net_stands_as_high_as_the_frames_show_it() -> None:
+def test_a_net_stands_as_high_as_the_frames_show_it():
     """The rules fix a volleyball court on the ground, but not its net."""
     views = Views(load_field("volleyball", net_height=2.24))
     rng = np.random.default_rng(9)
@@ -110,14 +108,14 @@ def test_a_net_stands_as_high_as_the_frames_show_it() -> None:
     assert found.dimension.value == pytest.approx(2.24, abs=max(3 * found.sd_m, 0.01))
 
 
-def test_only_what_is_asked_for_is_fitted(views_of, field) -> None:
+def test_only_what_is_asked_for_is_fitted(views_of, field):
     frames = make_frames(views_of, load_field("soccer", width=66.2), [-25.0, 0.0, 25.0], 5)
     found = fitted(frames, field, names=["width"])
     assert [d.dimension.name for d in found.dimensions] == ["width"]
     assert found.values["width"] == pytest.approx(66.2, abs=3 * found.dimensions[0].sd_m)
 
 
-def test_values_stay_within_the_rules(views_of, tmp_path) -> None:
+def test_values_stay_within_the_rules(views_of, tmp_path):
     """A field wider than its rules allow is found at their limit, and that is told."""
     text = load_field("soccer").source.read_text().replace("minimum = 45.0, maximum = 90.0", "R")
     narrow, wide = tmp_path / "narrow.toml", tmp_path / "wide.toml"
@@ -130,7 +128,7 @@ def test_values_stay_within_the_rules(views_of, tmp_path) -> None:
     assert "limit of the rules" in found.remark
 
 
-def test_what_cannot_be_fitted_is_refused(field) -> None:
+def test_what_cannot_be_fitted_is_refused(field):
     assert fittable_dimensions(field) == ("length", "width")
     with pytest.raises(UsageError, match=r"'goal_width' cannot be fitted.*length, width"):
         fittable_dimensions(field, ["goal_width"])
@@ -140,7 +138,7 @@ def test_what_cannot_be_fitted_is_refused(field) -> None:
         fit_dimensions({}, {}, field)
 
 
-def test_derivatives_by_dimensions_agree_with_differences(views, field) -> None:
+def test_derivatives_by_dimensions_agree_with_differences(views, field):
     rng = np.random.default_rng(2)
     view = views.main(rng, noise_px=3.0)
     frame = ImageFrame(SIZE)
@@ -171,7 +169,7 @@ def test_derivatives_by_dimensions_agree_with_differences(views, field) -> None:
     assert (moved > 1).all()  # px a metre
 
 
-def test_the_dimensions_do_not_depend_on_those_the_search_starts_from(views_of, field) -> None:
+def test_the_dimensions_do_not_depend_on_those_the_search_starts_from(views_of, field):
     """Elements far off on a wrong field are no mistakes: they are heard once it is right."""
     frames = make_frames(
         views_of, load_field("soccer", length=116, width=62), [-25, -10, 10, 25], 9
@@ -184,7 +182,7 @@ def test_the_dimensions_do_not_depend_on_those_the_search_starts_from(views_of, 
     assert found[0].left_out == 0
 
 
-def test_frames_of_two_stadiums_are_told(views_of, field) -> None:
+def test_frames_of_two_stadiums_are_told(views_of, field):
     pans = [-25, -12, 12, 25]
     mixed = {
         f"{size}{name}": annotation

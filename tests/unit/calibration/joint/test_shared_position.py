@@ -1,7 +1,5 @@
 """Frames of one camera position share it: told apart from others, known better, predicting more."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -64,7 +62,7 @@ def shared(frames, alone, field) -> SharedPositionResult:
     return fit_shared_position(frames, alone, field)
 
 
-def test_positions_are_told_apart_and_found(shared) -> None:
+def test_positions_are_told_apart_and_found(shared):
     assert [set(t.frames) for t in shared.groups] == [
         {f"t{i}" for i in range(10)}, {f"o{i}" for i in range(4)},
     ]  # fmt: skip
@@ -75,7 +73,7 @@ def test_positions_are_told_apart_and_found(shared) -> None:
         assert (off < 3 * tripod.deviations_m).all()
 
 
-def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field) -> None:
+def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field):
     turned = [f"t{i}" for i in range(2, 6)]
     names = {name: field.half_turn.name_of(name) for name in field.index}
     given = frames | {name: relabelled(frames[name], names) for name in turned}
@@ -86,7 +84,7 @@ def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field) -> None:
     assert all("turned" in found.apart[name] for name in turned)
 
 
-def test_the_scatter_before_is_that_of_the_own_fits(shared, alone) -> None:
+def test_the_scatter_before_is_that_of_the_own_fits(shared, alone):
     tripod = shared.groups[0]
     own = np.array([alone[name].camera.position_world for name in tripod.frames])
     assert tripod.scatter_m == pytest.approx(own.std(axis=0, ddof=1))
@@ -96,16 +94,14 @@ def test_the_scatter_before_is_that_of_the_own_fits(shared, alone) -> None:
     assert (tripod.predicted_m < tripod.scatter_m * 4).all()
 
 
-def test_all_frames_of_a_place_have_exactly_its_position(shared) -> None:
+def test_all_frames_of_a_place_have_exactly_its_position(shared):
     for name, index in shared.group_of.items():
         fit = shared.fits[name]
         assert fit.camera.position_world == tuple(shared.groups[index].position_m)
         assert fit.deviations.position_m == pytest.approx(shared.groups[index].deviations_m)
 
 
-def test_few_elements_predict_the_others_better(
-    shared, frames, cameras, field, median_error
-) -> None:
+def test_few_elements_predict_the_others_better(shared, frames, cameras, field, median_error):
     rng = np.random.default_rng(1)
     apart = []
     for name in shared.groups[0].frames:
@@ -126,7 +122,7 @@ def test_few_elements_predict_the_others_better(
 
 def test_two_elements_are_enough_where_they_say_enough(
     shared, frames, alone, cameras, field, median_error
-) -> None:
+):
     group = {name: frames[name] for name in shared.groups[0].frames}
     two = ("Middle line", "Circle central")
     whole = frames["t5"]
@@ -143,7 +139,7 @@ def test_two_elements_are_enough_where_they_say_enough(
     assert "even with the position known: 1 element, 2 needed" in again.fits["one"].failure
 
 
-def test_a_frame_from_elsewhere_keeps_its_own_position(frames, alone, field) -> None:
+def test_a_frame_from_elsewhere_keeps_its_own_position(frames, alone, field):
     names = [f"t{i}" for i in range(6)] + ["o1"]
     again = fit_shared_position({n: frames[n] for n in names}, {n: alone[n] for n in names}, field)
     assert set(again.group_of) == set(names) - {"o1"}
@@ -151,7 +147,7 @@ def test_a_frame_from_elsewhere_keeps_its_own_position(frames, alone, field) -> 
     assert again.fits["o1"] is alone["o1"]
 
 
-def test_an_element_with_the_wrong_label_does_not_move_the_position(frames, alone, field) -> None:
+def test_an_element_with_the_wrong_label_does_not_move_the_position(frames, alone, field):
     names = [f"t{i}" for i in range(10)]
     annotations = {n: frames[n] for n in names}
     swapped = {"Side line top": "Big rect. left main"}
@@ -168,7 +164,7 @@ def test_an_element_with_the_wrong_label_does_not_move_the_position(frames, alon
     assert again.fits["t1"].left_out == ("Big rect. left main",)
 
 
-def test_stopping_is_up_to_the_caller(frames, alone, field) -> None:
+def test_stopping_is_up_to_the_caller(frames, alone, field):
     class Enough(Exception):
         pass
 
@@ -179,7 +175,7 @@ def test_stopping_is_up_to_the_caller(frames, alone, field) -> None:
         fit_shared_position(frames, alone, field, on_step=stop)
 
 
-def test_no_agreement_is_no_place() -> None:
+def test_no_agreement_is_no_place():
     far = np.array([[0.0, 60, -10], [30, 60, -10], [0, 90, -20], [50, 20, -15]])
     small = np.tile(np.eye(3) * 0.1, (4, 1, 1))
     assert cluster_positions(far, small, 62.0) == ()
@@ -208,7 +204,7 @@ def around(position, count: int, seed: int = 0) -> list[np.ndarray]:
     return list(position + np.random.default_rng(seed).normal(0, (0.5, 1.5, 0.3), (count, 3)))
 
 
-def test_a_turned_frame_stands_opposite_the_others(field) -> None:
+def test_a_turned_frame_stands_opposite_the_others(field):
     frames = [*around(STAND, 8), *around(HIGH, 5), *(around(STAND, 2, 1) * TURN)]
     found = told(field, frames)
     assert set(found.turned) == {13, 14}
@@ -216,32 +212,32 @@ def test_a_turned_frame_stands_opposite_the_others(field) -> None:
     assert not found.minority
 
 
-def test_most_of_a_place_may_be_turned_where_most_of_the_set_is_not(field) -> None:
+def test_most_of_a_place_may_be_turned_where_most_of_the_set_is_not(field):
     frames = [*around(STAND, 4), *(around(STAND, 7, 1) * TURN), *around(HIGH, 9)]
     assert set(told(field, frames).turned) == set(range(4, 11))
 
 
-def test_a_camera_of_its_own_on_the_far_side_is_only_worth_a_look(field) -> None:
+def test_a_camera_of_its_own_on_the_far_side_is_only_worth_a_look(field):
     found = told(field, [*around(STAND, 20), np.array(REVERSE)])
     assert not found.turned
     assert found.minority == {20}
 
 
-def test_several_frames_of_a_camera_on_the_far_side_are_a_camera(field) -> None:
+def test_several_frames_of_a_camera_on_the_far_side_are_a_camera(field):
     found = told(field, [*around(STAND, 40), *around(REVERSE, 3)])
     assert found == OppositeSideFrames()
 
 
-def test_cameras_behind_both_goals_are_two_cameras(field) -> None:
+def test_cameras_behind_both_goals_are_two_cameras(field):
     behind = [*around(GOAL, 6), *(around(GOAL, 3, 1) * TURN)]
     assert not told(field, [*around(STAND, 12), *behind]).turned
 
 
-def test_the_main_camera_may_stand_behind_an_end(field) -> None:
+def test_the_main_camera_may_stand_behind_an_end(field):
     found = told(field, [*around(GOAL, 9), *(around(GOAL, 2, 1) * TURN)])
     assert set(found.turned) == {9, 10}
 
 
-def test_nothing_is_told_of_few_or_no_frames(field) -> None:
+def test_nothing_is_told_of_few_or_no_frames(field):
     assert told(field, [*around(STAND, 2), *(around(STAND, 1) * TURN)]) == OppositeSideFrames()
     assert told(field, np.zeros((0, 3))) == OppositeSideFrames()

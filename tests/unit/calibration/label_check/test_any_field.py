@@ -1,7 +1,5 @@
 """The label check, ghosts and suggestions for other sports than soccer."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -81,14 +79,14 @@ def sport(request) -> Field:
 
 
 @pytest.mark.parametrize("place", PLACES)
-def test_right_labels_are_left_alone(sport, place) -> None:
+def test_right_labels_are_left_alone(sport, place):
     annotation = clicks(sport, camera_of(sport, place))
     assert len(annotation.polylines) > 5
     assert check(annotation, sport) == ()
 
 
 @pytest.mark.parametrize("place", PLACES)
-def test_two_exchanged_labels_are_found(sport, place) -> None:
+def test_two_exchanged_labels_are_found(sport, place):
     annotation = clicks(sport, camera_of(sport, place))
     shape = {n: (sport.element(n).is_straight, sport.element(n).is_spot)
              for n in annotation.annotated}  # fmt: skip
@@ -101,7 +99,7 @@ def test_two_exchanged_labels_are_found(sport, place) -> None:
 
 
 @pytest.mark.parametrize("signs", [MIRROR_Y, MIRROR_X])
-def test_a_frame_seen_the_wrong_way_round_is_found(sport, signs) -> None:
+def test_a_frame_seen_the_wrong_way_round_is_found(sport, signs):
     annotation = clicks(sport, camera_of(sport, PLACES[0]))
     becomes = mirrored_names(sport, signs, annotation.annotated)
     assert becomes is not None
@@ -110,7 +108,7 @@ def test_a_frame_seen_the_wrong_way_round_is_found(sport, signs) -> None:
     assert len(found.remedies) == 2
 
 
-def test_what_has_no_reflection_is_never_called_reflected() -> None:
+def test_what_has_no_reflection_is_never_called_reflected():
     track = load_field("athletics")
     assert mirrored_names(track, MIRROR_Y, ["Finish line"]) is None
     hockey = load_field("ice_hockey_iihf")
@@ -130,7 +128,7 @@ def spots_of(field: Field, annotation: FrameAnnotation) -> list[str]:
     return [n for n in annotation.annotated if field.element(n).is_spot]
 
 
-def test_a_spot_under_another_ones_name_is_found(hockey) -> None:
+def test_a_spot_under_another_ones_name_is_found(hockey):
     field, annotation = hockey
     spots = spots_of(field, annotation)
     one, other = spots[0], spots[-1]
@@ -143,7 +141,7 @@ def test_a_spot_under_another_ones_name_is_found(hockey) -> None:
     assert found.remedies[0].renamed == ((free, one),)
 
 
-def test_a_line_under_a_spot_s_name_is_offered_the_line(hockey) -> None:
+def test_a_line_under_a_spot_s_name_is_offered_the_line(hockey):
     field, annotation = hockey
     line = next(n for n in annotation.annotated if field.element(n).is_straight)
     free = next(e.name for e in field.elements if e.is_spot and e.name not in annotation.annotated)
@@ -152,7 +150,7 @@ def test_a_line_under_a_spot_s_name_is_offered_the_line(hockey) -> None:
     assert findings[Rule.MANY_POINTS].elements == (free,)
 
 
-def test_two_places_for_one_spot_are_a_finding(hockey) -> None:
+def test_two_places_for_one_spot_are_a_finding(hockey):
     field, annotation = hockey
     name = spots_of(field, annotation)[0]
     ((x, y),) = points_px(annotation.get(name), SIZE)
@@ -162,7 +160,7 @@ def test_two_places_for_one_spot_are_a_finding(hockey) -> None:
         assert [f.rule for f in check(changed, field)] == rules
 
 
-def test_going_round_three_sides_is_not_going_back_and_forth() -> None:
+def test_going_round_three_sides_is_not_going_back_and_forth():
     """A chain whose way is long although its ends are near each other."""
     court = load_field("basketball_fiba")
     annotation = clicks(court, camera_of(court, PLACES[0]))
@@ -173,7 +171,7 @@ def test_going_round_three_sides_is_not_going_back_and_forth() -> None:
     assert not [f for f in found if f.rule is Rule.REPEATED and "Backboard" in f.elements[0]]
 
 
-def test_a_hoop_seen_edge_on_is_where_it_is() -> None:
+def test_a_hoop_seen_edge_on_is_where_it_is():
     """From the height of the rim its circle is a line in the picture; every click lies on it."""
     court = load_field("basketball_fiba")
     camera = camera_of(court, (0.35, 3.05 / 28.0, 0.2))
@@ -185,7 +183,7 @@ def test_a_hoop_seen_edge_on_is_where_it_is() -> None:
 # ------------------------------------------------------------------------- ghosts and suggestions
 
 
-def test_ghosts_are_neither_spots_nor_optional_and_lie_where_the_elements_are(sport) -> None:
+def test_ghosts_are_neither_spots_nor_optional_and_lie_where_the_elements_are(sport):
     camera = camera_of(sport, PLACES[1])
     every = clicks(sport, camera, optional=False)
     some = FrameAnnotation(every.polylines[3:])
@@ -204,7 +202,7 @@ def test_ghosts_are_neither_spots_nor_optional_and_lie_where_the_elements_are(sp
             assert np.hypot(*(away - middle).T).min() < 60
 
 
-def test_a_chain_is_offered_side_by_side() -> None:
+def test_a_chain_is_offered_side_by_side():
     """One piece for each side of a backboard, which ends at its corners."""
     court = load_field("basketball_fiba")
     camera = camera_of(court, PLACES[0])
@@ -222,7 +220,7 @@ def test_a_chain_is_offered_side_by_side() -> None:
     assert boards
 
 
-def test_a_landmark_is_suggested_where_it_helps() -> None:
+def test_a_landmark_is_suggested_where_it_helps():
     from procc_annotator.field.landmarks import with_landmarks
     from procc_annotator.field.model import Landmark
 
@@ -294,7 +292,7 @@ def check_fitted(annotation: FrameAnnotation, field: Field) -> list[Finding]:
     return [f for f in found if f.severity is not Severity.HINT]
 
 
-def test_what_its_own_uncertainty_allows_is_no_mistake(field) -> None:
+def test_what_its_own_uncertainty_allows_is_no_mistake(field):
     rng = np.random.default_rng(0)
     for _ in range(8):
         off = rng.normal(0, SD_M, (3, 3))
@@ -303,7 +301,7 @@ def test_what_its_own_uncertainty_allows_is_no_mistake(field) -> None:
     assert check_fitted(annotation, field_of(field, off, None))  # off what is said to be exact
 
 
-def test_more_than_that_is_one(field) -> None:
+def test_more_than_that_is_one(field):
     rng = np.random.default_rng(1)
     off = np.zeros((3, 3))
     off[0] = (20.0, 0.0, -10.0)
@@ -317,7 +315,7 @@ def test_more_than_that_is_one(field) -> None:
     assert f"up to {finding.error_px:.0f} px" in finding.reason
 
 
-def test_two_that_are_swapped_are_found(field) -> None:
+def test_two_that_are_swapped_are_found(field):
     rng = np.random.default_rng(2)
     off = rng.normal(0, 0.4, (3, 3))
     swapped = swap_classes(landmark_clicks(field, rng), "Clock", "Mast")
@@ -327,7 +325,7 @@ def test_two_that_are_swapped_are_found(field) -> None:
     assert finding.remedies[0].kind is RemedyKind.SWAP
 
 
-def test_mistakes_elsewhere_are_found_beside_them(field) -> None:
+def test_mistakes_elsewhere_are_found_beside_them(field):
     rng = np.random.default_rng(3)
     known = field_of(field, rng.normal(0, SD_M, (3, 3)))
     wrong = swap_classes(

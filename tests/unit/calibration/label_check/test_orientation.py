@@ -1,7 +1,5 @@
 """The way round things lie: the same in every picture taken from above the ground."""
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 from pathlib import Path
@@ -56,7 +54,7 @@ def findings(annotation, field):
     return wrong_side_findings(annotated_elements(annotation, field, FRAME), field, FRAME)
 
 
-def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:
+def test_no_camera_above_the_ground_contradicts_the_field(views, field):
     rng = np.random.default_rng(41)
     oriented = 0
     for _ in range(40):
@@ -71,7 +69,7 @@ def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:
     assert oriented > 20
 
 
-def test_orientations_of_the_field_are_those_of_its_points(field) -> None:
+def test_orientations_of_the_field_are_those_of_its_points(field):
     """The table of triples, against points chosen at random on the elements."""
     known = orientation_relations(field.elements)
     place = {name: row for row, name in enumerate(known.rows)}
@@ -99,7 +97,7 @@ def _some_point(shape, rng) -> np.ndarray:
 
 
 @pytest.mark.parametrize("signs", [MIRROR_X, MIRROR_Y])
-def test_a_reflected_frame_is_all_turned(views, field, signs) -> None:
+def test_a_reflected_frame_is_all_turned(views, field, signs):
     view = views.main(np.random.default_rng(43))
     (found,) = findings(relabelled(view.annotation, mirrored_names(field, signs)), field)
     assert (found.rule, found.severity) == (Rule.REFLECTED, Severity.ERROR)
@@ -107,7 +105,7 @@ def test_a_reflected_frame_is_all_turned(views, field, signs) -> None:
     assert any(all(names[old] == new for old, new in remedy.renamed) for remedy in found.remedies)
 
 
-def test_an_element_on_the_wrong_side_is_named(views, field) -> None:
+def test_an_element_on_the_wrong_side_is_named(views, field):
     """Four elements; one of them on the other side of the others."""
     view = views.main(np.random.default_rng(44))
     kept = ("Big rect. left main", "Big rect. left top", "Small rect. left top", "Side line top")
@@ -119,7 +117,7 @@ def test_an_element_on_the_wrong_side_is_named(views, field) -> None:
     assert "Side line bottom" in found.elements
 
 
-def test_two_elements_on_each_others_side_are_to_be_swapped(views, field) -> None:
+def test_two_elements_on_each_others_side_are_to_be_swapped(views, field):
     view = views.main(np.random.default_rng(45))
     pair = ("Big rect. left main", "Small rect. left main")
     (found,) = findings(swap_classes(view.annotation, *pair), field)
@@ -127,7 +125,7 @@ def test_two_elements_on_each_others_side_are_to_be_swapped(views, field) -> Non
     assert (pair, pair[::-1]) in swaps or (pair[::-1], pair) in swaps
 
 
-def test_sides_are_told_where_there_is_no_camera(views, field) -> None:
+def test_sides_are_told_where_there_is_no_camera(views, field):
     """Three lines across the field, the middle one called an outer one."""
     camera = replace(
         views.main(np.random.default_rng(46)).camera, pan_rad=0.0, focal_px=(600.0, 600.0)
@@ -163,7 +161,7 @@ def frames(views) -> dict[str, FrameAnnotation]:
     return made
 
 
-def test_turned_frames_are_found_and_turned_back(frames, field) -> None:
+def test_turned_frames_are_found_and_turned_back(frames, field):
     turned = {name: field.half_turn.name_of(name) for name in field.index}
     given = {n: relabelled(a, turned) if n == "f3" else a for n, a in frames.items()}
     stands = {name: fitted_position(fit_camera(a, field)) for name, a in given.items()}
@@ -177,18 +175,18 @@ def test_turned_frames_are_found_and_turned_back(frames, field) -> None:
     assert mended == frames["f3"]
 
 
-def test_a_homography_and_a_failed_fit_stand_nowhere(frames, field) -> None:
+def test_a_homography_and_a_failed_fit_stand_nowhere(frames, field):
     assert fitted_position(fit_camera(frames["f1"], field, model="H")) is None
     assert fitted_position(fit_camera(FrameAnnotation(()), field)) is None
 
 
-def test_a_field_whose_sides_differ_tells_by_itself(frames, field) -> None:
+def test_a_field_whose_sides_differ_tells_by_itself(frames, field):
     stands = {name: fitted_position(fit_camera(a, field)) for name, a in frames.items()}
     stands["f0"] = replace(stands["f0"], position_m=(0.0, -70.0, -16.0))
     assert find_opposite_frames(stands, replace(field, symmetries=())) == {}
 
 
-def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field) -> None:
+def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field):
     middle = FrameAnnotation((Polyline("Middle line", (Point(0.2, 0.2), Point(0.3, 0.6))),))
     assert opposite_side_finding(middle, field, FOUND) is None
 
@@ -200,7 +198,7 @@ def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field) -> None:
         (replace(FOUND, opposite=0), Severity.HINT),
     ],
 )
-def test_how_sure_it_is(frames, field, found, severity) -> None:
+def test_how_sure_it_is(frames, field, found, severity):
     finding = opposite_side_finding(frames["f2"], field, found)
     assert finding.severity is severity
     assert RemedyKind.RELABEL in {remedy.kind for remedy in finding.remedies}
@@ -231,7 +229,7 @@ def of_rule(found: tuple[Finding, ...], rule: Rule) -> list[Finding]:
 
 
 @pytest.mark.parametrize("slip", ["Side line tpo", "side line top", "Far touch line"])
-def test_a_slip_in_a_name_is_an_error_with_the_right_name(slip) -> None:
+def test_a_slip_in_a_name_is_an_error_with_the_right_name(slip):
     wrong = renamed("Side line top", slip)
     assert slip in wrong.annotated
     (found,) = of_rule(check(wrong), Rule.UNKNOWN_CLASS)
@@ -243,7 +241,7 @@ def test_a_slip_in_a_name_is_an_error_with_the_right_name(slip) -> None:
     assert of_rule(check(mended), Rule.UNKNOWN_CLASS) == []
 
 
-def test_a_name_that_is_taken_is_not_offered() -> None:
+def test_a_name_that_is_taken_is_not_offered():
     line = SAMPLE.get("Side line top")
     both = SAMPLE.with_polyline(Polyline("Side line tpo", line.points))
     (found,) = of_rule(check(both), Rule.UNKNOWN_CLASS)
@@ -251,7 +249,7 @@ def test_a_name_that_is_taken_is_not_offered() -> None:
     assert [r.kind for r in found.remedies] == [RemedyKind.LOOK]
 
 
-def test_names_like_no_other_are_a_warning_and_known_ones_nothing() -> None:
+def test_names_like_no_other_are_a_warning_and_known_ones_nothing():
     points = (Point(0.1, 0.2), Point(0.3, 0.2))
     more = SAMPLE.with_polyline(Polyline("Advertising board", points))
     more = more.with_polyline(Polyline("Line unknown", points))
@@ -270,7 +268,7 @@ def test_names_like_no_other_are_a_warning_and_known_ones_nothing() -> None:
     assert Rule.UNKNOWN_CLASS in {f.finding.rule for f in without_fit.found}
 
 
-def test_pixels_are_the_one_thing_that_is_told() -> None:
+def test_pixels_are_the_one_thing_that_is_told():
     pixels = FrameAnnotation(
         tuple(
             replace(p, points=tuple(Point(q.u * 959, q.v * 539) for q in p.points))
@@ -284,7 +282,7 @@ def test_pixels_are_the_one_thing_that_is_told() -> None:
     assert alone.finding == found
 
 
-def test_points_in_one_place_or_on_one_line_make_no_noise() -> None:
+def test_points_in_one_place_or_on_one_line_make_no_noise():
     names = ("Middle line", "Side line top", "Side line bottom", "Big rect. left main")
     one_place = tuple(Polyline(n, (Point(0.4, 0.4),) * 2) for n in names)
     one_line = tuple(Polyline(n, (Point(0.1, 0.5), Point(0.9, 0.5))) for n in names)

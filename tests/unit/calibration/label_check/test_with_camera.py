@@ -1,7 +1,5 @@
 """Wrong labels are found and explained with the camera of the others; right ones are left alone."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 
@@ -34,7 +32,7 @@ def check(annotation, field, *, model="R", size=SIZE):
     return check_labels(annotation, field, size=size, fit=fit)
 
 
-def test_plain_clicks_from_anywhere_are_neither_errors_nor_warnings(views, field) -> None:
+def test_plain_clicks_from_anywhere_are_neither_errors_nor_warnings(views, field):
     rng = np.random.default_rng(52)
     sides = set()
     for count in range(40):
@@ -46,7 +44,7 @@ def test_plain_clicks_from_anywhere_are_neither_errors_nor_warnings(views, field
 
 
 @pytest.mark.parametrize("model", ["R", "R+"])
-def test_a_wrong_label_is_to_be_exchanged_for_the_one_that_fits(clean, field, model) -> None:
+def test_a_wrong_label_is_to_be_exchanged_for_the_one_that_fits(clean, field, model):
     found = check(change_class(clean, SMALL_FRONT, "Middle line"), field, model=model)
     (first, *rest) = found
     assert (first.rule, first.severity, first.elements) == (
@@ -62,7 +60,7 @@ def test_a_wrong_label_is_to_be_exchanged_for_the_one_that_fits(clean, field, mo
     assert all(f.severity is Severity.HINT for f in rest)
 
 
-def test_the_reason_tells_what_the_others_say(clean, field) -> None:
+def test_the_reason_tells_what_the_others_say(clean, field):
     (found, *_) = check(change_class(clean, SMALL_FRONT, "Middle line"), field)
     told = re.search(
         r"without Halfway line the others drop from ([\d.]+) to ([\d.]+) px", found.reason
@@ -71,7 +69,7 @@ def test_the_reason_tells_what_the_others_say(clean, field) -> None:
     assert float(told[2]) < 4
 
 
-def test_distances_are_told_in_the_pixels_of_the_picture(clean, field) -> None:
+def test_distances_are_told_in_the_pixels_of_the_picture(clean, field):
     wrong = change_class(clean, "Big rect. left top", "Middle line")
     small, large = (check(wrong, field, size=size)[0] for size in (SIZE, (1919, 1079)))
     assert large.error_px == pytest.approx(2 * small.error_px, rel=0.02)
@@ -87,7 +85,7 @@ def test_distances_are_told_in_the_pixels_of_the_picture(clean, field) -> None:
         ("Side line left", "Circle left"),
     ],
 )
-def test_two_labels_that_are_swapped_are_one_finding(clean, field, pair) -> None:
+def test_two_labels_that_are_swapped_are_one_finding(clean, field, pair):
     (first, *rest) = check(swap_classes(clean, *pair), field)
     assert (first.rule, first.severity) == (Rule.SWAPPED, Severity.ERROR)
     assert set(first.elements) == set(pair)
@@ -98,7 +96,7 @@ def test_two_labels_that_are_swapped_are_one_finding(clean, field, pair) -> None
     assert all(f.severity is Severity.HINT for f in rest)
 
 
-def test_three_labels_in_a_circle_are_one_finding(clean, field) -> None:
+def test_three_labels_in_a_circle_are_one_finding(clean, field):
     names = (FRONT, SMALL_FRONT, "Side line left")
     becomes = dict(zip(names, (*names[1:], names[0]), strict=True))
     (first, *_) = check(relabelled(clean, becomes), field)
@@ -108,7 +106,7 @@ def test_three_labels_in_a_circle_are_one_finding(clean, field) -> None:
     assert dict(first.remedies[0].renamed) == back
 
 
-def test_two_independent_mistakes_are_explained_together(clean, field) -> None:
+def test_two_independent_mistakes_are_explained_together(clean, field):
     wrong = swap_classes(clean, "Goal left post left ", "Goal left post right")
     wrong = change_class(wrong, "Big rect. left top", "Middle line")
     found = [f for f in check(wrong, field) if f.severity is Severity.ERROR]
@@ -118,7 +116,7 @@ def test_two_independent_mistakes_are_explained_together(clean, field) -> None:
 
 
 @pytest.mark.parametrize("name", ["Side line left", "Circle left"])
-def test_one_bad_point_is_named(clean, field, name) -> None:
+def test_one_bad_point_is_named(clean, field, name):
     points = points_px(clean.get(name), SIZE)
     index = len(points) // 2
     along = points[index] - points[index - 1]
@@ -135,7 +133,7 @@ def test_one_bad_point_is_named(clean, field, name) -> None:
     assert all(f.severity is Severity.HINT for f in rest)
 
 
-def test_of_two_points_the_bad_one_is_shown_but_not_removed(clean, field) -> None:
+def test_of_two_points_the_bad_one_is_shown_but_not_removed(clean, field):
     name = "Small rect. left top"
     points = points_px(clean.get(name), SIZE)[[0, -1]]
     points[1, 1] += 40
@@ -147,7 +145,7 @@ def test_of_two_points_the_bad_one_is_shown_but_not_removed(clean, field) -> Non
 
 
 @pytest.mark.parametrize("signs", [MIRROR_X, MIRROR_Y])
-def test_a_reflected_frame_is_one_finding(clean, field, signs) -> None:
+def test_a_reflected_frame_is_one_finding(clean, field, signs):
     wrong = relabelled(clean, mirrored_names(field, signs))
     (first, *rest) = check(wrong, field)
     assert (first.rule, first.severity) == (Rule.REFLECTED, Severity.ERROR)
@@ -163,13 +161,13 @@ def test_a_reflected_frame_is_one_finding(clean, field, signs) -> None:
     assert all(f.severity is Severity.HINT for f in rest)
 
 
-def test_the_other_end_of_the_field_is_no_mistake(clean, field) -> None:
+def test_the_other_end_of_the_field_is_no_mistake(clean, field):
     """Half a turn is a symmetry of everything: it cannot be seen."""
     turned = relabelled(clean, dict(field.symmetries[0].partner))
     assert all(f.severity is Severity.HINT for f in check(turned, field))
 
 
-def test_what_only_a_poor_model_does_not_fit_is_right(views, field) -> None:
+def test_what_only_a_poor_model_does_not_fit_is_right(views, field):
     """A wide-angle picture: no camera without distortion fits it, but one with it does."""
     camera = replace(
         views.main(np.random.default_rng(53)).camera,
@@ -182,12 +180,12 @@ def test_what_only_a_poor_model_does_not_fit_is_right(views, field) -> None:
     assert all(f.severity is Severity.HINT for f in check(annotation, field, model="P"))
 
 
-def test_mistakes_are_found_under_a_homography(clean, field) -> None:
+def test_mistakes_are_found_under_a_homography(clean, field):
     (first, *_) = check(swap_classes(clean, FRONT, SMALL_FRONT), field, model="H")
     assert (first.rule, set(first.elements)) == (Rule.SWAPPED, {FRONT, SMALL_FRONT})
 
 
-def test_one_line_under_two_names_is_told_once(clean, field) -> None:
+def test_one_line_under_two_names_is_told_once(clean, field):
     twice = clean.with_polyline(Polyline("Middle line", clean.get(FRONT).points))
     (first, *rest) = check(twice, field)
     assert first.elements == ("Middle line",)
@@ -196,7 +194,7 @@ def test_one_line_under_two_names_is_told_once(clean, field) -> None:
     assert all(f.severity is Severity.HINT for f in rest)
 
 
-def test_few_contradicting_elements_are_a_warning(clean, field) -> None:
+def test_few_contradicting_elements_are_a_warning(clean, field):
     """With three elements nobody can tell which one is wrong."""
     few = FrameAnnotation(
         tuple(p for p in clean if p.class_name in (FRONT, "Circle left", "Big rect. left top"))
@@ -206,7 +204,7 @@ def test_few_contradicting_elements_are_a_warning(clean, field) -> None:
     assert Severity.ERROR not in {f.severity for f in found if f.rule is Rule.RESIDUAL}
 
 
-def test_too_few_clicks_are_no_contradiction(clean, field) -> None:
+def test_too_few_clicks_are_no_contradiction(clean, field):
     """Three elements, one of them a single point: nothing is known to be wrong yet."""
     names = (FRONT, "Big rect. left top", "Side line top")
     begun = FrameAnnotation(
@@ -224,7 +222,7 @@ def test_too_few_clicks_are_no_contradiction(clean, field) -> None:
 @pytest.mark.parametrize(
     "seed", [2, 3, *(pytest.param(n, marks=pytest.mark.soak) for n in (0, 1, *range(4, 30)))]
 )
-def test_nonsense_is_survived(field, seed) -> None:
+def test_nonsense_is_survived(field, seed):
     rng = np.random.default_rng(seed)
     names = [e.name for e in field.elements]
     spread = 10.0 ** rng.uniform(-3, 3)
@@ -248,7 +246,7 @@ def test_nonsense_is_survived(field, seed) -> None:
         assert "nan" not in found.reason
 
 
-def test_nobody_waits_for_an_explanation_that_is_not_wanted(clean, field) -> None:
+def test_nobody_waits_for_an_explanation_that_is_not_wanted(clean, field):
     class Enough(Exception):
         pass
 

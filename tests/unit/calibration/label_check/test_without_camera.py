@@ -1,7 +1,5 @@
 """Rules that need no camera: they speak up for a mistake and stay silent for plain clicks."""
 
-from __future__ import annotations
-
 import tracemalloc
 from dataclasses import replace
 
@@ -53,7 +51,7 @@ def ellipse(count: int, *, begin=0.0, turns=1.0, centre=(480, 300), axes=(200, 6
 @pytest.mark.parametrize(
     ("off", "severity"), [(16, Severity.WARNING), (40, Severity.ERROR), (-40, Severity.ERROR)]
 )
-def test_a_bent_line_is_told(field, off, severity) -> None:
+def test_a_bent_line_is_told(field, off, severity):
     (found,) = check(field, line(MAIN, (300, 200), (350, 290 + off), (400, 380)))
     assert (found.rule, found.severity, found.elements) == (Rule.BENT, severity, (MAIN,))
     assert "Left penalty front" in found.reason
@@ -62,7 +60,7 @@ def test_a_bent_line_is_told(field, off, severity) -> None:
 
 @pytest.mark.parametrize("size", [(960, 540), (1920, 1080)])
 @pytest.mark.parametrize("kappa", [-0.11, 0.0, 0.1, 0.25])
-def test_a_line_as_bent_as_a_lens_bends_it_is_none(field, size, kappa) -> None:
+def test_a_line_as_bent_as_a_lens_bends_it_is_none(field, size, kappa):
     """A line along the upper edge, where a lens bends most: barrel below 0, pincushion above."""
     half = np.hypot(*size) / 2
     straight = np.column_stack([np.linspace(-0.45, 0.45, 6) * size[0], np.full(6, -0.4 * size[1])])
@@ -71,7 +69,7 @@ def test_a_line_as_bent_as_a_lens_bends_it_is_none(field, size, kappa) -> None:
     assert check(field, line("Side line top", *points.tolist(), size=size), size=size) == ()
 
 
-def test_one_bad_point_of_many_is_named_and_can_be_removed(field) -> None:
+def test_one_bad_point_of_many_is_named_and_can_be_removed(field):
     points = [(100 + 60 * i, 200 + 20 * i) for i in range(6)]
     points[2] = (points[2][0], points[2][1] + 60)
     (found,) = check(field, line("Side line top", *points))
@@ -81,7 +79,7 @@ def test_one_bad_point_of_many_is_named_and_can_be_removed(field) -> None:
 
 
 @pytest.mark.parametrize("bad", [None, 15_000])
-def test_memory_does_not_grow_with_the_square_of_the_points(field, bad) -> None:
+def test_memory_does_not_grow_with_the_square_of_the_points(field, bad):
     """Nor are many points near each other taken for one."""
     points = np.linspace((100.0, 250.0), (860.0, 290.0), 20_000)
     if bad is not None:
@@ -104,7 +102,7 @@ def test_memory_does_not_grow_with_the_square_of_the_points(field, bad) -> None:
     ("count", "severity"),
     [(2, Severity.WARNING), (3, Severity.WARNING), (4, Severity.HINT), (5, None), (9, None)],
 )
-def test_a_circle_of_too_few_points(field, count, severity) -> None:
+def test_a_circle_of_too_few_points(field, count, severity):
     found = check(field, ellipse(count))
     assert [f.severity for f in found] == ([] if severity is None else [severity])
     if severity is not None:
@@ -112,7 +110,7 @@ def test_a_circle_of_too_few_points(field, count, severity) -> None:
         assert "Centre circle" in found[0].reason
 
 
-def test_points_at_one_place_are_one_point(field) -> None:
+def test_points_at_one_place_are_one_point(field):
     (found,) = check(field, line(MAIN, (300, 200), (300, 200.3)))
     assert (found.rule, found.severity) == (Rule.FEW_POINTS, Severity.WARNING)
     assert "1 point" in found.reason
@@ -126,20 +124,20 @@ def test_points_at_one_place_are_one_point(field) -> None:
         (0, 1, 0, 1),
     ],
 )
-def test_a_line_clicked_twice(field, places) -> None:
+def test_a_line_clicked_twice(field, places):
     points = [(200 + 400 * t, 300 - 100 * t + 2 * (i % 2)) for i, t in enumerate(places)]
     (found,) = check(field, line(MAIN, *points))
     assert (found.rule, found.severity) == (Rule.REPEATED, Severity.WARNING)
     assert "more than once" in found.reason
 
 
-def test_points_out_of_order_are_a_hint(field) -> None:
+def test_points_out_of_order_are_a_hint(field):
     points = [(200 + 400 * t, 300) for t in (0, 1, 0.5)]
     (found,) = check(field, line(MAIN, *points))
     assert (found.rule, found.severity) == (Rule.REPEATED, Severity.HINT)
 
 
-def test_a_circle_clicked_twice_and_one_clicked_once(field) -> None:
+def test_a_circle_clicked_twice_and_one_clicked_once(field):
     (found,) = check(field, ellipse(18, turns=2.05))
     assert (found.rule, found.severity) == (Rule.REPEATED, Severity.WARNING)
     closed = ellipse(9)
@@ -151,7 +149,7 @@ def test_a_circle_clicked_twice_and_one_clicked_once(field) -> None:
 # -------------------------------------------------------------------------------------- coincident
 
 
-def test_one_line_under_two_names(field) -> None:
+def test_one_line_under_two_names(field):
     first = line(MAIN, (300, 200), (350, 290), (400, 380))
     again = line("Small rect. left main", (302, 202), (399, 380))
     (found,) = check(field, first, again)
@@ -169,12 +167,12 @@ def test_one_line_under_two_names(field) -> None:
         ("Side line top", ((200, 280), (500, 300))),  # crosses it
     ],
 )
-def test_lines_that_meet_or_run_side_by_side_are_apart(field, other, points) -> None:
+def test_lines_that_meet_or_run_side_by_side_are_apart(field, other, points):
     found = check(field, line(MAIN, (300, 200), (350, 290), (400, 380)), line(other, *points))
     assert Rule.COINCIDENT not in rules(found)
 
 
-def test_a_crossbar_may_hide_the_goal_line(field) -> None:
+def test_a_crossbar_may_hide_the_goal_line(field):
     found = check(
         field,
         line("Goal left crossbar", (300, 200), (400, 210)),
@@ -186,7 +184,7 @@ def test_a_crossbar_may_hide_the_goal_line(field) -> None:
 # -------------------------------------------------------------------------------------------- ends
 
 
-def test_an_end_short_of_its_corner_is_a_hint(field) -> None:
+def test_an_end_short_of_its_corner_is_a_hint(field):
     front = line(MAIN, (600, 200), (640, 480))
     (found,) = check(field, line(FAR, (300, 190), (575, 200)), front)
     assert (found.rule, found.severity, found.elements) == (Rule.SHORT, Severity.HINT, (FAR,))
@@ -194,7 +192,7 @@ def test_an_end_short_of_its_corner_is_a_hint(field) -> None:
     assert found.model is None
 
 
-def test_an_end_short_of_the_picture_edge_is_a_hint(field) -> None:
+def test_an_end_short_of_the_picture_edge_is_a_hint(field):
     (found,) = check(field, line("Side line top", (20, 100), (700, 120)))
     assert (found.rule, found.severity) == (Rule.SHORT, Severity.HINT)
     assert "20 px short of the picture's edge" in found.reason
@@ -210,11 +208,11 @@ def test_an_end_short_of_the_picture_edge_is_a_hint(field) -> None:
         [(GOAL_LINE, (300, 100), (300, 180)), (FAR, (300, 200), (500, 205))],
     ],
 )
-def test_ends_that_are_in_order(field, polylines) -> None:
+def test_ends_that_are_in_order(field, polylines):
     assert check(field, *(line(*polyline) for polyline in polylines)) == ()
 
 
-def test_a_camera_knows_where_a_line_ends(views, field) -> None:
+def test_a_camera_knows_where_a_line_ends(views, field):
     """A corner that no other element shows."""
     view = views.main(np.random.default_rng(3), noise_px=0.3)
     name = "Small rect. left main"
@@ -233,7 +231,7 @@ def test_a_camera_knows_where_a_line_ends(views, field) -> None:
 # --------------------------------------------------------------------------------- what is no label
 
 
-def test_nothing_is_said_about_what_has_no_place_on_the_field(field) -> None:
+def test_nothing_is_said_about_what_has_no_place_on_the_field(field):
     annotation = FrameAnnotation(
         (
             line("Line unknown", (100, 100), (200, 300), (300, 100)),
@@ -280,7 +278,7 @@ def found(field, paint: dict[str, LineEvidence]) -> list[tuple[Rule, Severity, s
     return [(f.rule, f.severity, f.reason) for f in findings(field, paint)]
 
 
-def test_a_crossbar_on_spectators_is_found_with_share_and_length(field) -> None:
+def test_a_crossbar_on_spectators_is_found_with_share_and_length(field):
     crowd = seen(3.1, NAN, -4.0, 5.5, NAN, -2.0, 4.4, NAN, 0.2, -5.0, NAN, 2.6)
     (told,) = found(field, {NAMES[0]: crowd, NAMES[1]: GOOD, NAMES[2]: GOOD})
     assert told[:2] == (Rule.NO_PAINT, Severity.WARNING)
@@ -294,17 +292,17 @@ def test_a_crossbar_on_spectators_is_found_with_share_and_length(field) -> None:
 @pytest.mark.parametrize(
     "offsets", [[0.4] * 12, [*[0.3] * 8, *[NAN] * 4], [1.5, 1.2, 0.9, 0.5, 0.2, 0.0] * 2]
 )
-def test_what_players_hide_is_no_finding(field, offsets) -> None:
+def test_what_players_hide_is_no_finding(field, offsets):
     assert found(field, {NAMES[0]: seen(*offsets), NAMES[1]: GOOD, NAMES[2]: GOOD}) == []
 
 
-def test_a_picture_in_which_hardly_any_paint_is_found_says_nothing(field) -> None:
+def test_a_picture_in_which_hardly_any_paint_is_found_says_nothing(field):
     dark = seen(*[NAN] * 12)
     assert found(field, dict.fromkeys(NAMES, dark)) == []
     assert found(field, {}) == []
 
 
-def test_bent_paint_beside_a_straight_element_is_told_with_what_mends_it(field) -> None:
+def test_bent_paint_beside_a_straight_element_is_told_with_what_mends_it(field):
     t = np.linspace(-1, 1, 12)
     bent = seen(*(4.0 * (1 - t**2)))
     (told,) = found(field, {NAMES[0]: bent, NAMES[1]: GOOD, NAMES[2]: GOOD})
@@ -319,7 +317,7 @@ def test_bent_paint_beside_a_straight_element_is_told_with_what_mends_it(field) 
 
 
 @pytest.mark.parametrize("at_first", [True, False])
-def test_an_end_beside_its_paint_is_told_with_its_point(field, at_first) -> None:
+def test_an_end_beside_its_paint_is_told_with_its_point(field, at_first):
     """The way there leaves the paint steadily, until it is too far off to be looked for."""
     off = [*(7.0 * (np.arange(9) + 0.5) / 12), NAN, NAN, NAN]
     astray = seen(*(off[::-1] if at_first else off))
@@ -331,21 +329,21 @@ def test_an_end_beside_its_paint_is_told_with_its_point(field, at_first) -> None
     assert found(field, {NAMES[0]: near, NAMES[1]: GOOD, NAMES[2]: GOOD}) == []
 
 
-def test_an_end_without_paint_is_told_where_all_else_has_some(field) -> None:
+def test_an_end_without_paint_is_told_where_all_else_has_some(field):
     places = replace(seen(*[0.1] * 9, *[NAN] * 3), segments=np.repeat([0, 1, 2, 3], 3))
     (told,) = findings(field, {NAMES[0]: places, NAMES[1]: GOOD, NAMES[2]: GOOD})
     assert (told.rule, told.severity, told.point) == (Rule.NO_PAINT, Severity.HINT, 1)
     assert "towards one of its ends" in told.reason
 
 
-def test_a_short_post_without_paint_is_told(field) -> None:
+def test_a_short_post_without_paint_is_told(field):
     nothing = seen(NAN, NAN, NAN, length=24.0)
     (told,) = found(field, {NAMES[0]: nothing, NAMES[1]: GOOD, NAMES[2]: GOOD})
     assert told[:2] == (Rule.NO_PAINT, Severity.HINT)
     assert found(field, {NAMES[1]: nothing, NAMES[0]: GOOD, NAMES[2]: GOOD}) == []
 
 
-def test_an_end_is_short_only_where_paint_goes_on(field) -> None:
+def test_an_end_is_short_only_where_paint_goes_on(field):
     annotation = FrameAnnotation((px_line("Side line top", (20, 100), (700, 120)),))
     told = check_without_camera(annotation, field, size=SIZE)
     assert [f.rule for f in told] == [Rule.SHORT]

@@ -1,7 +1,5 @@
 """What is offered besides the clicks: only what is in sight, missing, and known well enough."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -52,7 +50,7 @@ def distances(points: np.ndarray, courses: list[np.ndarray]) -> np.ndarray:
 
 @pytest.mark.parametrize("k1", [0.0, 0.4])
 @pytest.mark.parametrize("pan", [-45.0, -20.0, 0.0, 30.0])
-def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan, k1) -> None:
+def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan, k1):
     camera = looking(pan, 78.0, 1300.0, k1)
     expected = project_field(camera, EvaluationSetup(FIELD, SIZE, "procc")).pieces
     found: dict[str, list[np.ndarray]] = {}
@@ -68,7 +66,7 @@ def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan, k1) -> None:
         assert distances(np.concatenate(expected[name]), courses).max() < 0.5
 
 
-def test_an_element_cut_off_ends_at_the_edge_and_keeps_its_direction() -> None:
+def test_an_element_cut_off_ends_at_the_edge_and_keeps_its_direction():
     camera = looking(-20.0, 78.0, 1300.0)
     (top,) = [s for s in visible_stretches(FIELD, camera, SIZE) if s.name == "Side line top"]
     element = FIELD.element("Side line top")
@@ -80,7 +78,7 @@ def test_an_element_cut_off_ends_at_the_edge_and_keeps_its_direction() -> None:
     assert np.abs(again - top.points_px).max() < 0.05
 
 
-def test_a_circle_in_sight_is_one_stretch_wherever_it_is_cut() -> None:
+def test_a_circle_in_sight_is_one_stretch_wherever_it_is_cut():
     whole = looking(0.0, 76.0, 1000.0)
     (circle,) = [s for s in visible_stretches(FIELD, whole, SIZE) if s.name == "Circle central"]
     assert np.hypot(*(circle.points_px[0] - circle.points_px[-1])) < 1e-6
@@ -90,7 +88,7 @@ def test_a_circle_in_sight_is_one_stretch_wherever_it_is_cut() -> None:
         assert np.hypot(*np.diff(circle.points_px, axis=0).T).max() < 40.0
 
 
-def test_nothing_behind_the_camera_is_in_sight() -> None:
+def test_nothing_behind_the_camera_is_in_sight():
     camera = replace(looking(-40.0, 80.0, 900.0), position_world=(30.0, 10.0, -6.0))
     names = {s.name for s in visible_stretches(FIELD, camera, SIZE)}
     assert "Side line top" in names
@@ -102,7 +100,7 @@ def clicked(views):
     return views.main(np.random.default_rng(4)).annotation
 
 
-def test_ghosts_are_what_is_missing_and_the_line_lies_in_their_band(clicked, views) -> None:
+def test_ghosts_are_what_is_missing_and_the_line_lies_in_their_band(clicked, views):
     rng = np.random.default_rng(4)
     view = views.main(rng)
     exact = project_field(view.camera, views.setup).pieces
@@ -120,7 +118,7 @@ def test_ghosts_are_what_is_missing_and_the_line_lies_in_their_band(clicked, vie
     assert order == sorted(order)
 
 
-def test_what_is_there_or_not_wanted_is_not_offered(clicked) -> None:
+def test_what_is_there_or_not_wanted_is_not_offered(clicked):
     names = {"Big rect. left main", "Big rect. left top", "Circle left", "Side line left"}
     some = only(clicked, names)
     fit = fit_camera(some, FIELD, size=SIZE)
@@ -145,9 +143,7 @@ def relabelled(annotation: FrameAnnotation, name: str, other: str) -> FrameAnnot
         ("Small rect. left main", "Big rect. right main"),
     ],
 )
-def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(
-    clicked, right, wrong
-) -> None:
+def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(clicked, right, wrong):
     without = clicked.without(right)
     assert right in [g.name for g in find_ghosts(without, FIELD, _fitted(without))]
     mistaken = relabelled(clicked, right, wrong)
@@ -157,7 +153,7 @@ def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(
     assert right not in [s.name for s in suggest_annotations(mistaken, FIELD, fit)]
 
 
-def test_an_element_that_is_merely_off_takes_no_ghost_away(clicked) -> None:
+def test_an_element_that_is_merely_off_takes_no_ghost_away(clicked):
     some = clicked.without("Small rect. left main")
     polyline = some.get("Side line left")
     off = tuple(Point(p.u + 0.02, p.v + 0.1) for p in polyline.points)
@@ -171,14 +167,14 @@ def _fitted(annotation: FrameAnnotation) -> FitResult:
     return fit_camera(annotation, FIELD, size=SIZE)
 
 
-def test_without_a_camera_there_are_no_ghosts(clicked) -> None:
+def test_without_a_camera_there_are_no_ghosts(clicked):
     two = only(clicked, {"Big rect. left main", "Side line left"})
     fit = fit_camera(two, FIELD, size=SIZE)
     assert fit.camera is None
     assert find_ghosts(two, FIELD, fit) == ()
 
 
-def test_the_gate_opens_as_the_camera_becomes_known(clicked) -> None:
+def test_the_gate_opens_as_the_camera_becomes_known(clicked):
     offered, names = [], []
     for name in ("Circle left", "Big rect. left top", "Big rect. left main", "Side line left"):
         names.append(name)
@@ -190,7 +186,7 @@ def test_the_gate_opens_as_the_camera_becomes_known(clicked) -> None:
     assert offered[3] < 0.7 * offered[2]
 
 
-def test_a_homography_offers_nothing_off_the_ground(clicked) -> None:
+def test_a_homography_offers_nothing_off_the_ground(clicked):
     some = only(clicked, set(clicked.annotated) - {"Small rect. left main", "Small rect. left top"})
     fit = fit_camera(some, FIELD, model="H", size=SIZE)
     ghosts = find_ghosts(
@@ -200,7 +196,7 @@ def test_a_homography_offers_nothing_off_the_ground(clicked) -> None:
     assert all(element.on_ground for g in ghosts if (element := FIELD.element(g.name)))
 
 
-def test_pieces_too_short_to_click_are_left_out() -> None:
+def test_pieces_too_short_to_click_are_left_out():
     far = replace(looking(0.0, 85.0, 300.0), position_world=(0.0, 130.0, -15.0))
     pieces = visible_stretches(FIELD, far, SIZE)
     short = {s.name for s in pieces if s.length_px < 10}
@@ -220,7 +216,7 @@ def _exact(camera: PinholeCamera) -> FrameAnnotation:
 
 
 @pytest.mark.parametrize("every", [12, pytest.param(3, marks=pytest.mark.soak)])
-def test_offered_elements_of_real_frames_are_where_they_are_annotated(shared_data, every) -> None:
+def test_offered_elements_of_real_frames_are_where_they_are_annotated(shared_data, every):
     """Fits to 3 to 6 random elements: what is offered is within 5 px (whole set: 99 %)."""
     rng = np.random.default_rng(0)
     paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))

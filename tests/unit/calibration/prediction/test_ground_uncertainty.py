@@ -1,7 +1,5 @@
 """How surely a fit knows the ground: by hand, by drawing cameras, and against the truth."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -29,7 +27,6 @@ from procc_annotator.calibration.prediction.uncertainty import (
 )
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.backprojection import ground_from_px
-from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.metrics.ground_plane import field_rectangle
 
@@ -60,7 +57,7 @@ GROUND = np.array([(0.0, 0.0), (3.0, 4.0), (-12.0, 5.0), (0.5, -11.0)])
 RADIUS = np.hypot(*GROUND.T)
 
 
-def test_from_above_every_parameter_has_a_closed_form() -> None:
+def test_from_above_every_parameter_has_a_closed_form():
     """A metre of the camera is one of the ground; everything else grows from the nadir outwards."""
     for sds, expected in (
         ({"x": 0.3}, np.full(4, 0.3)),
@@ -75,7 +72,7 @@ def test_from_above_every_parameter_has_a_closed_form() -> None:
     np.testing.assert_allclose(turned, (RADIUS[1] * 0.002) ** 2 * np.outer(across, across), 1e-5)
 
 
-def test_a_click_comes_on_top() -> None:
+def test_a_click_comes_on_top():
     metres_a_pixel = HEIGHT_M / FOCAL_PX
     found = ground_sd(straight_down(x=0.3), GROUND, click_px=2.0)
     np.testing.assert_allclose(found, math.hypot(0.3, 2.0 * metres_a_pixel), rtol=1e-5)
@@ -84,7 +81,7 @@ def test_a_click_comes_on_top() -> None:
 # With R+ tilt and principal point may change together by so much that to draw them from a normal
 # distribution is not what the fit says: a tenth of it is.
 @pytest.mark.parametrize(("model", "part"), [("H", 1.0), ("P", 1.0), ("R", 1.0), ("R+", 0.1)])
-def test_as_cameras_drawn_from_the_covariance_scatter(views, field, model, part) -> None:
+def test_as_cameras_drawn_from_the_covariance_scatter(views, field, model, part):
     fit = fit_camera(views.main(np.random.default_rng(5)).annotation, field, model=model)
     pixels = np.array([(120.0, 300.0), (500.0, 180.0), (700.0, 450.0), (300.0, 440.0)])
     meant = ground_from_px(fit.camera, pixels)
@@ -104,7 +101,7 @@ def test_as_cameras_drawn_from_the_covariance_scatter(views, field, model, part)
     np.testing.assert_allclose(part * ground_sd(fit, meant), np.sqrt(worst), rtol=0.1)
 
 
-def test_the_truth_lies_within_what_is_said(views, field) -> None:
+def test_the_truth_lies_within_what_is_said(views, field):
     """Over cameras on all sides, with clicks 1 px off: neither boasting nor useless."""
     rng = np.random.default_rng(7)
     within, ratios = [], []
@@ -133,7 +130,7 @@ def found(views, field) -> GroundUncertainty:
 
 
 class TestMap:
-    def test_samples_are_where_they_say(self, found) -> None:
+    def test_samples_are_where_they_say(self, found):
         row, column = np.argwhere(found.in_sight)[100]
         ground = (found.xs_m[column], found.ys_m[row])
         px, _ = found.fit.camera.project(np.array([[*ground, 0.0]]))
@@ -141,7 +138,7 @@ class TestMap:
         alone = ground_sd(found.fit, np.array([ground]))[0]
         assert found.sd_m[row, column] == pytest.approx(alone)
 
-    def test_only_the_field_in_sight_counts(self, found, field) -> None:
+    def test_only_the_field_in_sight_counts(self, found, field):
         rectangle = field_rectangle(field)
         assert rectangle.left <= found.xs_m[0] < found.xs_m[-1] <= rectangle.right
         assert rectangle.top <= found.ys_m[0] < found.ys_m[-1] <= rectangle.bottom
@@ -152,7 +149,7 @@ class TestMap:
         assert np.isfinite(found.sd_m[found.in_sight]).all()
         assert ((found.distance_to_border_px >= 0) == found.in_sight).all()
 
-    def test_figures(self, found) -> None:
+    def test_figures(self, found):
         values = found.sd_m[found.in_sight]
         spread = found.statistics
         assert (spread.minimum, spread.maximum) == (values.min(), values.max())
@@ -163,7 +160,7 @@ class TestMap:
         assert shares[2] == pytest.approx(np.mean(values <= 0.5), abs=0.02)
 
 
-def test_closer_samples_where_little_is_in_sight(field) -> None:
+def test_closer_samples_where_little_is_in_sight(field):
     narrow = straight_down(x=0.1)
     vector = narrow.vector.copy()
     vector[LOG_FOCAL] += math.log(20)  # the picture is 2.7 m wide
@@ -176,7 +173,7 @@ def test_closer_samples_where_little_is_in_sight(field) -> None:
     assert found.share_within_m(0.11) == 1.0
 
 
-def test_nothing_in_sight_has_no_figures(field) -> None:
+def test_nothing_in_sight_has_no_figures(field):
     fit = straight_down(x=0.1)
     vector = fit.vector.copy()
     vector[X] = 300.0
@@ -190,11 +187,10 @@ def test_nothing_in_sight_has_no_figures(field) -> None:
     assert found.share_within_m(1.0) is None
 
 
-def test_points_out_of_sight_have_none(field) -> None:
+def test_points_out_of_sight_have_none(field):
     vector = np.zeros(11)
     vector[PAN], vector[1], vector[Z], vector[LOG_FOCAL] = 0.0, math.radians(80), -15.0, 7.0
     camera = camera_from_vector(vector, ImageFrame(SIZE))
-    assert isinstance(camera, PinholeCamera)
     fit = FitResult(
         "P", SIZE, camera, parameters=PARAMETERS[:7], covariance=np.eye(7) * 1e-6, vector=vector
     )

@@ -1,7 +1,5 @@
 """What next: what is said to help does help."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np
@@ -33,7 +31,7 @@ def clicked(views) -> FrameAnnotation:
     return views.main(np.random.default_rng(4)).annotation
 
 
-def test_all_that_is_missing_and_in_sight_by_what_it_brings(clicked) -> None:
+def test_all_that_is_missing_and_in_sight_by_what_it_brings(clicked):
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     found = suggest_annotations(some, FIELD, fit_camera(some, FIELD, size=SIZE))
     names = [s.name for s in found]
@@ -46,12 +44,12 @@ def test_all_that_is_missing_and_in_sight_by_what_it_brings(clicked) -> None:
     assert names[0] == "Side line bottom"
 
 
-def test_without_a_camera_there_is_nothing_to_say(clicked) -> None:
+def test_without_a_camera_there_is_nothing_to_say(clicked):
     two = only(clicked, {"Big rect. left main", "Circle left"})
     assert suggest_annotations(two, FIELD, fit_camera(two, FIELD, size=SIZE)) == ()
 
 
-def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
+def test_the_place_is_what_is_in_sight_of_it(clicked):
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     fit = fit_camera(some, FIELD, size=SIZE)
     found = suggest_annotations(some, FIELD, fit)
@@ -60,14 +58,14 @@ def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
     assert ((px >= 0) & (px <= np.array(SIZE) - 1)).all()
 
 
-def test_what_changes_next_to_nothing_is_not_worthwhile() -> None:
+def test_what_changes_next_to_nothing_is_not_worthwhile():
     place = (0.0, 0.0, 0.0)
     assert AnnotationSuggestion("Middle line", 3.0, 2.0, place).is_worthwhile
     assert not AnnotationSuggestion("Middle line", 3.0, 2.8, place).is_worthwhile  # a fifteenth
     assert not AnnotationSuggestion("Middle line", 0.3, 0.25, place).is_worthwhile  # of a pixel
 
 
-def test_what_cannot_be_seen_is_not_suggested(clicked) -> None:
+def test_what_cannot_be_seen_is_not_suggested(clicked):
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     fit = fit_camera(some, FIELD, size=SIZE)
     best, *rest = suggest_annotations(some, FIELD, fit)
@@ -75,7 +73,7 @@ def test_what_cannot_be_seen_is_not_suggested(clicked) -> None:
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_the_promise_is_kept_by_the_next_fit(clicked, model) -> None:
+def test_the_promise_is_kept_by_the_next_fit(clicked, model):
     """With the best element annotated the projection is as sure as promised, and the more so the
     better it is; as far as the points' own error is the same."""
     names = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
@@ -100,9 +98,7 @@ def test_the_promise_is_kept_by_the_next_fit(clicked, model) -> None:
 @pytest.mark.parametrize(
     ("every", "enough"), [(6, 15), pytest.param(3, 30, marks=pytest.mark.soak)]
 )
-def test_following_it_helps_more_than_another_element_on_real_frames(
-    shared_data, every, enough
-) -> None:
+def test_following_it_helps_more_than_another_element_on_real_frames(shared_data, every, enough):
     rng = np.random.default_rng(2)
     better, before, followed, others = [], [], [], []
     paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
@@ -160,7 +156,7 @@ def frames(sample_data) -> list[dict[str, np.ndarray]]:
     return found
 
 
-def test_with_two_neighbours_most_lines_are_among_the_first_three(frames) -> None:
+def test_with_two_neighbours_most_lines_are_among_the_first_three(frames):
     field, rng = load_field("soccer"), np.random.default_rng(0)
     asked = right = 0
     for lines in frames:
@@ -175,7 +171,7 @@ def test_with_two_neighbours_most_lines_are_among_the_first_three(frames) -> Non
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_every_field_has_an_answer(name) -> None:
+def test_every_field_has_an_answer(name):
     field = load_field(name)
     for line in (np.array([(100.0, 300), (1000, 330)]), np.array([(640.0, 360.0)])):
         found = likely_classes(field, line, HD_SIZE, {})

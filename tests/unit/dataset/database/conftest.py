@@ -1,7 +1,5 @@
 """A database of a folder of its own, away from the user's data."""
 
-from __future__ import annotations
-
 import sqlite3
 from collections.abc import Callable, Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The workspace's memory keeps what it was told through crashes, damage and vanished folders."""
 
-from __future__ import annotations
-
 import os
 import random
 import shutil
@@ -53,7 +51,7 @@ def _assert_filled(database: WorkspaceDatabase) -> None:
 
 
 @pytest.mark.parametrize("frame", ODD_NAMES)
-def test_everything_comes_back(opened, frame) -> None:
+def test_everything_comes_back(opened, frame):
     first = opened()
     assert first.notices == ()
     assert first.record(frame) == FrameRecord()
@@ -96,7 +94,7 @@ def test_everything_comes_back(opened, frame) -> None:
     assert third.comments(frame)[0].resolved
 
 
-def test_last_frame_belongs_to_the_author(opened) -> None:
+def test_last_frame_belongs_to_the_author(opened):
     anna = opened()
     anna.last_frame = "f1"
     anna.close()
@@ -108,7 +106,7 @@ def _newest(database: WorkspaceDatabase, frame: str) -> bytes:
     return database.version_data(database.versions(frame)[0].id)
 
 
-def test_versions_are_ordered_as_written_whatever_the_clock_says(opened, monkeypatch) -> None:
+def test_versions_are_ordered_as_written_whatever_the_clock_says(opened, monkeypatch):
     clock = iter([100.0, 50.0, 75.0, 1.0, 0.5, 0.25])
     monkeypatch.setattr(database_module.time, "time", lambda: next(clock))
     database = opened()
@@ -127,14 +125,14 @@ def test_versions_are_ordered_as_written_whatever_the_clock_says(opened, monkeyp
     assert again.versions("g") == ()
 
 
-def test_time_never_runs_backwards(opened) -> None:
+def test_time_never_runs_backwards(opened):
     database = opened()
     for seconds in (-5.0, 0.0, float("nan"), float("inf"), 2.0):
         database.add_seconds("f", seconds)
     assert database.record("f").seconds == 2.0
 
 
-def test_points_that_are_no_numbers_are_left_out(opened) -> None:
+def test_points_that_are_no_numbers_are_left_out(opened):
     database = opened()
     database.put_origins("f", {(float("nan"), 0.0): _origin(), (0.0, float("inf")): _origin()})
     database.put_origins("f", {(1, 2): _origin()})
@@ -144,7 +142,7 @@ def test_points_that_are_no_numbers_are_left_out(opened) -> None:
 
 def test_origins_read_by_another_thread_are_no_word_on_what_comes_later(
     tmp_path, opened, monkeypatch
-) -> None:
+):
     first, other = opened(tmp_path), opened(tmp_path)
     answer = WorkspaceDatabase._answer
 
@@ -164,12 +162,12 @@ def test_origins_read_by_another_thread_are_no_word_on_what_comes_later(
     assert set(first.origins("1")) == {(0.5, 0.5)}  # until the window looks again
 
 
-def test_unknown_version(opened) -> None:
+def test_unknown_version(opened):
     with pytest.raises(InputError, match="no such version"):
         opened().version_data("none")
 
 
-def test_single_picture_has_the_database_of_its_folder(tmp_path, opened) -> None:
+def test_single_picture_has_the_database_of_its_folder(tmp_path, opened):
     picture = tmp_path / "f1.png"
     picture.write_bytes(b"")
     assert opened(picture).path == opened(tmp_path).path == tmp_path / ".procc" / "workspace.db"
@@ -178,7 +176,7 @@ def test_single_picture_has_the_database_of_its_folder(tmp_path, opened) -> None
 # Circumstances
 
 
-def test_folder_that_cannot_be_written(tmp_path, opened, own_data) -> None:
+def test_folder_that_cannot_be_written(tmp_path, opened, own_data):
     blocked = tmp_path / "blocked"
     blocked.mkdir()
     (blocked / ".procc").write_bytes(b"")  # a file where the folder belongs
@@ -196,7 +194,7 @@ def test_folder_that_cannot_be_written(tmp_path, opened, own_data) -> None:
     assert dict(opened(other).records()) == {}
 
 
-def test_write_protected_dataset(tmp_path, opened, own_data, monkeypatch) -> None:
+def test_write_protected_dataset(tmp_path, opened, own_data, monkeypatch):
     earlier = opened()
     _fill(earlier)
     earlier.close()
@@ -231,9 +229,7 @@ def _pictures(dataset: Path, first: int, size: int) -> None:
 
 
 @pytest.mark.parametrize("below", ["", "league/game"])
-def test_another_dataset_at_the_same_path_inherits_nothing(
-    tmp_path, opened, own_data, below
-) -> None:
+def test_another_dataset_at_the_same_path_inherits_nothing(tmp_path, opened, own_data, below):
     drive = tmp_path / "drive"
     _pictures(drive / below, 0, 1000)
     (drive / ".procc").write_bytes(b"")  # nothing can be written there
@@ -252,7 +248,7 @@ def test_another_dataset_at_the_same_path_inherits_nothing(
     _assert_filled(opened(drive))
 
 
-def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(tmp_path, opened) -> None:
+def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(tmp_path, opened):
     drive = tmp_path / "drive"
     _pictures(drive, 0, 1000)
     (drive / ".procc").write_bytes(b"")
@@ -265,7 +261,7 @@ def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(tmp_path, ope
     _assert_filled(opened(drive))
 
 
-def test_links_out_of_the_dataset_are_not_followed(tmp_path, opened, own_data) -> None:
+def test_links_out_of_the_dataset_are_not_followed(tmp_path, opened, own_data):
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     for i, name in enumerate((".procc", ".procc/workspace.db", ".procc/workspace.db-journal")):
@@ -281,7 +277,7 @@ def test_links_out_of_the_dataset_are_not_followed(tmp_path, opened, own_data) -
         assert list(elsewhere.iterdir()) == []
 
 
-def test_nowhere_to_write(tmp_path, opened, monkeypatch) -> None:
+def test_nowhere_to_write(tmp_path, opened, monkeypatch):
     blocked = tmp_path / "file"
     blocked.write_bytes(b"")
     for name in ("XDG_DATA_HOME", "LOCALAPPDATA", "HOME"):
@@ -294,7 +290,7 @@ def test_nowhere_to_write(tmp_path, opened, monkeypatch) -> None:
     _assert_filled(database)
 
 
-def test_folder_deleted_under_the_open_database(tmp_path, opened) -> None:
+def test_folder_deleted_under_the_open_database(tmp_path, opened):
     earlier = opened()
     earlier.set_status("old", Status.APPROVED)
     earlier.add_seconds("old", 7.0)
@@ -316,7 +312,7 @@ def test_folder_deleted_under_the_open_database(tmp_path, opened) -> None:
     assert again.notices == ()
 
 
-def test_drive_unplugged_and_back(tmp_path, opened) -> None:
+def test_drive_unplugged_and_back(tmp_path, opened):
     dataset, away = tmp_path / "drive", tmp_path / "away"
     dataset.mkdir()
     database = opened(dataset)
@@ -350,7 +346,7 @@ def test_drive_unplugged_and_back(tmp_path, opened) -> None:
     assert again.origins("new") == {(0.5, 0.5): _origin()}
 
 
-def test_another_file_takes_the_place_of_the_database(tmp_path, opened) -> None:
+def test_another_file_takes_the_place_of_the_database(tmp_path, opened):
     backup = opened(tmp_path)
     backup.set_status("backed up", Status.DONE)
     backup.close()
@@ -367,7 +363,7 @@ def test_another_file_takes_the_place_of_the_database(tmp_path, opened) -> None:
     assert again.record("new").status is Status.DONE
 
 
-def test_full_disk(opened, monkeypatch) -> None:
+def test_full_disk(opened, monkeypatch):
     connect, room = database_file.connect, [40]
 
     def small(path: Path | None) -> sqlite3.Connection:
@@ -397,7 +393,7 @@ def test_full_disk(opened, monkeypatch) -> None:
     assert again.record("f").status is Status.DONE
 
 
-def test_locked_for_long(tmp_path, opened, monkeypatch) -> None:
+def test_locked_for_long(tmp_path, opened, monkeypatch):
     monkeypatch.setattr(database_file, "_BUSY_S", 0.05)
     database = opened()
     other = sqlite3.connect(tmp_path / ".procc" / "workspace.db", isolation_level=None)
@@ -412,7 +408,7 @@ def test_locked_for_long(tmp_path, opened, monkeypatch) -> None:
     assert database.problem == ""
 
 
-def test_what_could_not_be_written_is_taken_over_the_next_time(tmp_path, opened, own_data) -> None:
+def test_what_could_not_be_written_is_taken_over_the_next_time(tmp_path, opened, own_data):
     dataset, away = tmp_path / "drive", tmp_path / "away"
     dataset.mkdir()
     database = opened(dataset)
@@ -445,7 +441,7 @@ def test_what_could_not_be_written_is_taken_over_the_next_time(tmp_path, opened,
     assert opened(dataset).notices == ()
 
 
-def test_close_says_when_something_is_lost(tmp_path, opened, monkeypatch) -> None:
+def test_close_says_when_something_is_lost(tmp_path, opened, monkeypatch):
     dataset = tmp_path / "drive"
     dataset.mkdir()
     database = opened(dataset)
@@ -465,7 +461,7 @@ def test_close_says_when_something_is_lost(tmp_path, opened, monkeypatch) -> Non
 # Two at once
 
 
-def test_two_windows_see_each_other(opened) -> None:
+def test_two_windows_see_each_other(opened):
     anna, bert = opened(), opened(author="Bert")
     _fill(anna)
     assert "f1" in bert.reload()
@@ -493,7 +489,7 @@ def test_two_windows_see_each_other(opened) -> None:
     assert anna.origins("f7").keys() == {(7 / 40, 0.25), (0.5, 0.5)}
 
 
-def test_poll_never_waits_and_finds_it_by_the_next_call(opened) -> None:
+def test_poll_never_waits_and_finds_it_by_the_next_call(opened):
     anna, bert = opened(), opened(author="Bert")
     bert.set_status("f", Status.DONE)
     assert bert.flush(20)
@@ -503,7 +499,7 @@ def test_poll_never_waits_and_finds_it_by_the_next_call(opened) -> None:
     assert anna.record("f").status is Status.DONE
 
 
-def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened) -> None:
+def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened):
     anna, bert = opened(), opened(author="Bert")
     bert.set_setting("lock", "on")
     assert bert.flush(20)
@@ -520,7 +516,7 @@ def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened) -> 
     assert not anna.looking
 
 
-def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened) -> None:
+def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened):
     anna, bert = opened(), opened(author="Bert")
     bert.set_status("f", Status.DONE)
     bert.set_status("g", Status.DONE)
@@ -563,7 +559,7 @@ def _writing(dataset: Path, author: str, count: int) -> subprocess.Popen[str]:
     )
 
 
-def test_two_processes_write_at_once(tmp_path, opened) -> None:
+def test_two_processes_write_at_once(tmp_path, opened):
     count = 200
     processes = [_writing(tmp_path, author, count) for author in ("Anna", "Bert")]
     for process in processes:
@@ -582,7 +578,7 @@ def test_two_processes_write_at_once(tmp_path, opened) -> None:
     assert len(database.versions("both")) == 2 * count
 
 
-def test_killed_in_the_middle_of_writing(tmp_path, opened) -> None:
+def test_killed_in_the_middle_of_writing(tmp_path, opened):
     process = _writing(tmp_path, "Anna", 100_000)
     last = -1
     while last < 1000:
@@ -602,7 +598,7 @@ def test_killed_in_the_middle_of_writing(tmp_path, opened) -> None:
     assert database.version_data(database.versions("both")[0].id).startswith(b"Anna")
 
 
-def test_program_that_forgets_to_close_ends_and_has_written(tmp_path, opened) -> None:
+def test_program_that_forgets_to_close_ends_and_has_written(tmp_path, opened):
     script = WRITE_MANY.rpartition("assert")[0]
     subprocess.run(
         [sys.executable, "-c", script, str(tmp_path), "Anna", "10"], check=True, timeout=60
@@ -622,7 +618,7 @@ def _damaged(opened: Open, dataset: Path) -> tuple[WorkspaceDatabase, Path]:
 @pytest.mark.parametrize(
     "content", [b"no database " * 1000, b"x" * 100, b"SQLite format 3\0" + b"?" * 99]
 )
-def test_what_is_no_database_is_set_aside(tmp_path, opened, content) -> None:
+def test_what_is_no_database_is_set_aside(tmp_path, opened, content):
     (tmp_path / ".procc").mkdir()
     path = tmp_path / ".procc" / "workspace.db"
     path.write_bytes(content)
@@ -638,7 +634,7 @@ def test_what_is_no_database_is_set_aside(tmp_path, opened, content) -> None:
     _assert_filled(again)
 
 
-def test_database_of_another_program_is_set_aside(tmp_path, opened) -> None:
+def test_database_of_another_program_is_set_aside(tmp_path, opened):
     (tmp_path / ".procc").mkdir()
     with sqlite3.connect(tmp_path / ".procc" / "workspace.db") as other:
         other.execute("CREATE TABLE theirs(x)")
@@ -648,7 +644,7 @@ def test_database_of_another_program_is_set_aside(tmp_path, opened) -> None:
     assert aside.exists()
 
 
-def test_database_of_a_newer_version_is_left_alone(tmp_path, opened, own_data) -> None:
+def test_database_of_a_newer_version_is_left_alone(tmp_path, opened, own_data):
     database = opened()
     _fill(database)
     database.close()
@@ -663,7 +659,7 @@ def test_database_of_a_newer_version_is_left_alone(tmp_path, opened, own_data) -
     assert path.read_bytes() == before
 
 
-def test_header_that_forbids_writing_is_damage(tmp_path, opened) -> None:
+def test_header_that_forbids_writing_is_damage(tmp_path, opened):
     database = opened()
     _fill(database)
     database.close()
@@ -684,7 +680,7 @@ LOSSES: dict[str, Callable[[Path], object]] = {
 
 
 @pytest.mark.parametrize("how", LOSSES)
-def test_lost_database_is_restored_from_its_backup(tmp_path, opened, how) -> None:
+def test_lost_database_is_restored_from_its_backup(tmp_path, opened, how):
     database = opened()
     _fill(database)
     database.set_setting("length", "104.3")
@@ -709,7 +705,7 @@ def test_lost_database_is_restored_from_its_backup(tmp_path, opened, how) -> Non
 
 
 @pytest.mark.parametrize("backup", [b"", b"no backup"])
-def test_lost_without_a_backup_is_told(tmp_path, opened, backup) -> None:
+def test_lost_without_a_backup_is_told(tmp_path, opened, backup):
     database = opened()
     _fill(database)
     database.close()
@@ -726,7 +722,7 @@ def test_lost_without_a_backup_is_told(tmp_path, opened, backup) -> None:
     assert opened().notices == ()
 
 
-def test_damage_never_gets_into_the_backup(tmp_path, opened, monkeypatch) -> None:
+def test_damage_never_gets_into_the_backup(tmp_path, opened, monkeypatch):
     database = opened()
     _fill(database)
     database.close()
@@ -750,7 +746,7 @@ def test_damage_never_gets_into_the_backup(tmp_path, opened, monkeypatch) -> Non
     _assert_filled(database)
 
 
-def test_what_is_not_damaged_is_recovered(tmp_path, opened) -> None:
+def test_what_is_not_damaged_is_recovered(tmp_path, opened):
     database = opened()
     _fill(database)
     for i in range(3, 6):
@@ -775,7 +771,7 @@ def test_what_is_not_damaged_is_recovered(tmp_path, opened) -> None:
     assert database.setting("width") is None
 
 
-def test_damage_found_while_working(tmp_path, opened) -> None:
+def test_damage_found_while_working(tmp_path, opened):
     database = opened()
     _fill(database)
     path = tmp_path / ".procc" / "workspace.db"
@@ -794,7 +790,7 @@ def test_damage_found_while_working(tmp_path, opened) -> None:
     assert again.record("f5") == FrameRecord(Status.REJECTED, False, 5.5)
 
 
-def test_file_in_use_that_cannot_be_renamed_is_copied(tmp_path, opened, monkeypatch) -> None:
+def test_file_in_use_that_cannot_be_renamed_is_copied(tmp_path, opened, monkeypatch):
     def refuse(*_: object) -> None:
         raise PermissionError(13, "in use")
 
@@ -808,7 +804,7 @@ def test_file_in_use_that_cannot_be_renamed_is_copied(tmp_path, opened, monkeypa
     _assert_filled(opened())
 
 
-def test_any_damage_is_named(tmp_path, opened) -> None:
+def test_any_damage_is_named(tmp_path, opened):
     database = opened()
     _fill(database)
     database.close()
@@ -852,7 +848,7 @@ def _newest_after_use(database: WorkspaceDatabase, dataset: Path) -> bytes:
     return newest
 
 
-def test_author_comes_from_the_environment_or_the_login(monkeypatch) -> None:
+def test_author_comes_from_the_environment_or_the_login(monkeypatch):
     monkeypatch.setenv("PROCC_AUTHOR", "  Anna ")
     assert default_author() == "Anna"
     monkeypatch.setenv("PROCC_AUTHOR", "")
@@ -869,7 +865,7 @@ def test_author_comes_from_the_environment_or_the_login(monkeypatch) -> None:
     assert default_author() == "unknown"
 
 
-def test_origins_that_were_foreseen_need_no_waiting(opened) -> None:
+def test_origins_that_were_foreseen_need_no_waiting(opened):
     first = opened()
     first.put_origins("a", {(0.25, 0.5): _origin()})
     first.close()

@@ -1,7 +1,5 @@
 """Elements not visible, settings and verdicts outlive the program, damage and vanished folders."""
 
-from __future__ import annotations
-
 import sqlite3
 import time
 from pathlib import Path
@@ -25,7 +23,7 @@ def file_of(dataset: Path) -> Path:
 
 
 class TestNotVisible:
-    def test_they_are_there_again_with_who_and_when(self, opened) -> None:
+    def test_they_are_there_again_with_who_and_when(self, opened):
         before = time.time()
         database = opened()
         database.set_not_visible("f1", CIRCLE, True)
@@ -43,7 +41,7 @@ class TestNotVisible:
         assert (mark.frame, mark.class_name, mark.author) == ("f1", CIRCLE, "Anna")
         assert before <= mark.time <= time.time()
 
-    def test_saying_it_twice_keeps_who_said_it_first(self, opened) -> None:
+    def test_saying_it_twice_keeps_who_said_it_first(self, opened):
         database = opened()
         database.set_not_visible("f1", CIRCLE, True)
         first = database.is_marked_not_visible("f1")[CIRCLE]
@@ -51,7 +49,7 @@ class TestNotVisible:
         database.set_not_visible("f1", CIRCLE, True)
         assert database.is_marked_not_visible("f1")[CIRCLE] == first
 
-    def test_a_database_of_the_version_before_goes_on(self, tmp_path, opened) -> None:
+    def test_a_database_of_the_version_before_goes_on(self, tmp_path, opened):
         database = opened()
         database.set_status("f1", Status.DONE)
         database.close()
@@ -68,7 +66,7 @@ class TestNotVisible:
 
 
 class TestSettings:
-    def test_they_are_there_again(self, opened) -> None:
+    def test_they_are_there_again(self, opened):
         database = opened()
         assert database.setting("length") is None
         database.set_setting("length", "104.3")
@@ -87,7 +85,7 @@ class TestSettings:
         assert again.settings().keys() == {"length", "odd \udcff", "empty"}
         assert again.last_frame == "f1"
 
-    def test_they_have_nothing_to_do_with_what_else_is_kept_by_key(self, opened) -> None:
+    def test_they_have_nothing_to_do_with_what_else_is_kept_by_key(self, opened):
         database = opened()
         database.last_frame = "f1"
         assert database.setting("last frame of Anna") is None
@@ -108,7 +106,7 @@ class TestSettings:
     ],
     ids=["not visible", "setting", "verdict"],
 )  # fmt: skip
-def test_another_window_sees_them_and_that_they_are_gone(opened, put, get, values) -> None:
+def test_another_window_sees_them_and_that_they_are_gone(opened, put, get, values):
     mine, theirs = opened(), opened()
     for value in values:
         put(mine, value)
@@ -117,7 +115,7 @@ def test_another_window_sees_them_and_that_they_are_gone(opened, put, get, value
         assert get(theirs) == get(mine) == value
 
 
-def test_they_are_written_into_a_file_begun_anew(tmp_path, opened) -> None:
+def test_they_are_written_into_a_file_begun_anew(tmp_path, opened):
     database = opened()  # as it was left by the session before
     database.set_not_visible("f1", CIRCLE, True)
     database.set_setting("length", "104.3")
@@ -138,7 +136,7 @@ def test_they_are_written_into_a_file_begun_anew(tmp_path, opened) -> None:
     assert (again.setting("length"), again.setting("width")) == ("104.3", "68")
 
 
-def test_what_was_said_and_taken_back_while_the_folder_was_gone(tmp_path, opened) -> None:
+def test_what_was_said_and_taken_back_while_the_folder_was_gone(tmp_path, opened):
     dataset = tmp_path / "set"
     dataset.mkdir()
     database = opened(dataset)
@@ -161,7 +159,7 @@ def test_what_was_said_and_taken_back_while_the_folder_was_gone(tmp_path, opened
 
 
 class TestVerdicts:
-    def test_verdicts_are_there_again(self, opened) -> None:
+    def test_verdicts_are_there_again(self, opened):
         database = opened()
         database.set_verdict("f1", "NBJW", FaultParty.CAMERA, "the roll is off")
         database.set_verdict("f1", "CARWC", FaultParty.FINE)
@@ -177,7 +175,7 @@ class TestVerdicts:
         assert first[place_by_name("CARWC")].fault is FaultParty.FINE
         assert set(again.all_verdicts()) == {"f1", "f\udcff2"}
 
-    def test_a_database_of_the_version_before_goes_on(self, tmp_path, opened) -> None:
+    def test_a_database_of_the_version_before_goes_on(self, tmp_path, opened):
         database = opened()
         database.set_status("f1", Status.DONE)
         database.add_comment("f1", "left goal")
@@ -197,7 +195,7 @@ class TestVerdicts:
         again.close()
         assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.ANNOTATION
 
-    def test_verdicts_by_name_of_the_version_before_go_on(self, tmp_path, opened) -> None:
+    def test_verdicts_by_name_of_the_version_before_go_on(self, tmp_path, opened):
         opened().close()
         self.make_older(file_of(tmp_path))
         again = opened()
@@ -205,9 +203,7 @@ class TestVerdicts:
         assert again.verdicts("f1")[place_by_name("NBJW")].source == "NBJW"
         assert again.verdicts("f2")[place_by_name("N\udcff")].fault is FaultParty.FINE
 
-    def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(
-        self, tmp_path, opened
-    ) -> None:
+    def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(self, tmp_path, opened):
         opened().close()
         path = file_of(tmp_path)
         self.make_older(path)
@@ -232,7 +228,7 @@ class TestVerdicts:
             older.execute("PRAGMA user_version = 2")
         older.close()
 
-    def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened) -> None:
+    def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened):
         mine, theirs = opened(), opened()
         mine.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
         mine.set_verdict("f2", "bad", FaultParty.FINE, place="auto:elsewhere/bad")
@@ -247,13 +243,13 @@ class TestVerdicts:
             (moved,) = database.verdicts("f3").values()
             assert (moved.source, moved.place, moved.comment) == ("vendor X", BAD, "from before")
 
-    def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened) -> None:
+    def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened):
         database = opened()
         database.set_verdict("f1", "bad", FaultParty.FINE)
         database.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
         assert [v.fault for v in database.verdicts("f1").values()] == [FaultParty.CAMERA]
 
-    def test_places(self, tmp_path) -> None:
+    def test_places(self, tmp_path):
         dataset = tmp_path / "set" / "images"
         for path, place in (
             (dataset / "cameras" / "bad", "auto:cameras/bad"),
@@ -268,7 +264,7 @@ class TestVerdicts:
 # What is remembered of one dataset is not told of another at the same path.
 
 
-def test_videos_tell_datasets_apart(tmp_path) -> None:
+def test_videos_tell_datasets_apart(tmp_path):
     for match, content in (("a", b"one half"), ("b", b"another half")):
         (tmp_path / match).mkdir()
         (tmp_path / match / f"{match}.mp4").write_bytes(content)

@@ -1,7 +1,5 @@
 """Intervals against scipy and textbooks, and how often they hold the truth of drawn sets."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 
@@ -26,7 +24,7 @@ DRAWS = BootstrapSettings(10_000, 3)
 
 
 @pytest.mark.parametrize("freedom", [1, 1.7, 2, 5, 10.8, 100, 1453])
-def test_students_distribution_is_that_of_scipy(freedom) -> None:
+def test_students_distribution_is_that_of_scipy(freedom):
     for share in (0.025, 0.5, 0.8, 0.975, 0.9995):
         expected = scipy.stats.t.ppf(share, freedom)
         assert student_t_ppf(share, freedom) == pytest.approx(expected, rel=1e-8, abs=1e-12)
@@ -35,7 +33,7 @@ def test_students_distribution_is_that_of_scipy(freedom) -> None:
 
 @pytest.mark.parametrize(("method", "theirs"), [("percentile", "percentile"), ("bca", "BCa")])
 @pytest.mark.parametrize("size", [20, 186])
-def test_unexpanded_intervals_are_those_of_scipy(method, theirs, size) -> None:
+def test_unexpanded_intervals_are_those_of_scipy(method, theirs, size):
     jacs = skewed(np.random.default_rng(size).random(size))
     expected = scipy.stats.bootstrap(
         (jacs,), np.mean, n_resamples=20_000, method=theirs, rng=np.random.default_rng(1)
@@ -47,7 +45,7 @@ def test_unexpanded_intervals_are_those_of_scipy(method, theirs, size) -> None:
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), abs=close)
 
 
-def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
+def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit():
     jacs = skewed(np.random.default_rng(5).random(40))
     theirs = scipy.stats.bootstrap(
         (jacs,), np.mean, n_resamples=999, method="BCa", rng=np.random.default_rng(1)
@@ -65,21 +63,21 @@ def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), abs=1e-9)
 
 
-def test_the_t_interval_of_frames_alone_is_students() -> None:
+def test_the_t_interval_of_frames_alone_is_students():
     jacs = skewed(np.random.default_rng(2).random(30))
     expected = scipy.stats.ttest_1samp(jacs, 0).confidence_interval(0.95)
     (found,) = confidence_intervals(bootstrap(RatioMetrics.mean(jacs), np.arange(30), DRAWS), DRAWS)
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), rel=1e-9)
 
 
-def test_acceleration_is_a_sixth_of_the_skewness_over_the_root_of_the_count() -> None:
+def test_acceleration_is_a_sixth_of_the_skewness_over_the_root_of_the_count():
     values = np.random.default_rng(1).exponential(size=50)
     without = (values.sum() - values) / 49
     assert bca_acceleration(without) == pytest.approx(scipy.stats.skew(values) / 6 / math.sqrt(50))
     assert bca_acceleration(np.ones(5)) == 0.0
 
 
-def test_a_ratio_of_sums_is_the_same_however_its_frames_are_ordered_or_drawn_again() -> None:
+def test_a_ratio_of_sums_is_the_same_however_its_frames_are_ordered_or_drawn_again():
     rng = np.random.default_rng(4)
     ratios = RatioMetrics(rng.random((30, 2)), rng.integers(1, 9, (30, 2)).astype(float))
     clusters = rng.integers(0, 7, 30)
@@ -97,7 +95,7 @@ def test_a_ratio_of_sums_is_the_same_however_its_frames_are_ordered_or_drawn_aga
     assert not np.array_equal(other.drawn, found.drawn)
 
 
-def test_what_cannot_vary_has_no_interval_and_one_cluster_none_either() -> None:
+def test_what_cannot_vary_has_no_interval_and_one_cluster_none_either():
     alone = bootstrap(RatioMetrics.mean(np.array([0.2, 0.4])), np.array([0, 0]), DRAWS)
     assert [confidence_intervals(alone, DRAWS, method) for method in INTERVAL_METHODS] == [
         [None]
@@ -110,7 +108,7 @@ def test_what_cannot_vary_has_no_interval_and_one_cluster_none_either() -> None:
         assert (found.low, found.high) == (1.0, 1.0)
 
 
-def test_a_cluster_without_a_frame_that_counts_is_none() -> None:
+def test_a_cluster_without_a_frame_that_counts_is_none():
     jacs = np.array([0.1, 0.5, 0.4, np.nan, np.nan])
     found = bootstrap(RatioMetrics.mean(jacs), np.arange(5), DRAWS)
     alone = bootstrap(RatioMetrics.mean(jacs[:3]), np.arange(3), DRAWS)
@@ -173,14 +171,14 @@ def held(
 
 
 @pytest.mark.parametrize(("kind", "sizes", "alike"), TASTE)
-def test_95_of_100_intervals_hold_the_truth(kind, sizes, alike) -> None:
+def test_95_of_100_intervals_hold_the_truth(kind, sizes, alike):
     share = held(KINDS[kind], (EQUAL | UNEQUAL)[sizes], alike, 300)["t"]
     assert 0.91 <= share <= 0.99  # three standard deviations of 300 sets
 
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("kind", "sizes", "alike"), ALL)
-def test_95_of_100_intervals_hold_the_truth_of_1000_sets(kind, sizes, alike, capsys) -> None:
+def test_95_of_100_intervals_hold_the_truth_of_1000_sets(kind, sizes, alike, capsys):
     shares = held(KINDS[kind], (EQUAL | UNEQUAL)[sizes], alike, 1000)
     with capsys.disabled():
         told = ", ".join(f"{method} {100 * share:.1f} %" for method, share in shares.items())
@@ -189,7 +187,7 @@ def test_95_of_100_intervals_hold_the_truth_of_1000_sets(kind, sizes, alike, cap
     assert 0.92 <= shares["t"] <= 0.98
 
 
-def test_few_clusters_reach_farther() -> None:
+def test_few_clusters_reach_farther():
     assert critical_value(1e6, 0.95) == pytest.approx(1.95996, abs=1e-4)
     assert critical_value(5, 0.95) == pytest.approx(2.7764, abs=1e-4)
     assert critical_value(1.2, 0.95) == pytest.approx(12.7062, abs=1e-3)
@@ -211,7 +209,7 @@ def drawn(rng, clusters: int, frames: int, alike: float):
 
 @pytest.mark.parametrize(("share", "z"), [(0.5, 0.0), (0.95, 1.6448536)])
 @pytest.mark.parametrize("alike", [0.0, 0.2])
-def test_it_holds_the_truth_in_95_of_100_sets(share, z, alike) -> None:
+def test_it_holds_the_truth_in_95_of_100_sets(share, z, alike):
     rng = np.random.default_rng(4)
     held = 0
     for _ in range(400):
@@ -221,14 +219,14 @@ def test_it_holds_the_truth_in_95_of_100_sets(share, z, alike) -> None:
     assert 0.92 <= held / 400 <= 0.985
 
 
-def test_frames_that_are_alike_make_it_wider() -> None:
+def test_frames_that_are_alike_make_it_wider():
     values, frames, clusters = drawn(np.random.default_rng(5), 15, 8, 0.5)
     together = quantile_confidence_interval(values, frames, clusters, 0.5, USUAL)
     apart = quantile_confidence_interval(values, frames, np.arange(len(clusters)), 0.5, USUAL)
     assert together.high - together.low > 1.5 * (apart.high - apart.low)
 
 
-def test_nothing_and_one_cluster_have_none() -> None:
+def test_nothing_and_one_cluster_have_none():
     nothing = np.empty(0)
     assert (
         quantile_confidence_interval(nothing, nothing.astype(int), np.zeros(3, int), 0.5, USUAL)

@@ -1,7 +1,5 @@
 """Paired differences, their tests, ranks, bands, power, and what the clicks leave open."""
 
-from __future__ import annotations
-
 import math
 from itertools import product
 
@@ -44,7 +42,7 @@ def compared(a, b, clusters=None, draws=DRAWS):
     return paired_differences(first, second, pair, clusters, draws)
 
 
-def test_the_difference_is_that_of_the_frames_both_have() -> None:
+def test_the_difference_is_that_of_the_frames_both_have():
     rng = np.random.default_rng(1)
     a, b = rng.random(40), rng.random(40)
     a[3] = b[7] = np.nan
@@ -58,7 +56,7 @@ def test_the_difference_is_that_of_the_frames_both_have() -> None:
     assert found.p == pytest.approx(expected.pvalue, abs=0.02)
 
 
-def test_few_exchanges_are_all_tried_as_scipy_does() -> None:
+def test_few_exchanges_are_all_tried_as_scipy_does():
     rng = np.random.default_rng(2)
     a, b = rng.random(9), rng.random(9) - 0.3
     expected = scipy.stats.permutation_test(
@@ -69,7 +67,7 @@ def test_few_exchanges_are_all_tried_as_scipy_does() -> None:
     assert share == pytest.approx(expected, abs=1e-12)
 
 
-def test_an_exchange_takes_whole_clusters_with_it() -> None:
+def test_an_exchange_takes_whole_clusters_with_it():
     off = np.array([0.3, 0.2, 0.1, -0.1, 0.2, 0.4])
     clusters = np.array([0, 0, 1, 1, 2, 2])
     (share,) = permutation_p_values(
@@ -80,7 +78,7 @@ def test_an_exchange_takes_whole_clusters_with_it() -> None:
     assert share == pytest.approx(np.mean([value >= 1.1 - 1e-9 for value in every]))
 
 
-def test_of_errors_parts_and_wholes_are_exchanged() -> None:
+def test_of_errors_parts_and_wholes_are_exchanged():
     rng = np.random.default_rng(3)
     counts = rng.integers(1, 30, (2, 8)).astype(float)
     sums = rng.random((2, 8)) * counts
@@ -97,7 +95,7 @@ def test_of_errors_parts_and_wholes_are_exchanged() -> None:
     assert permutation_p_values(a, b, np.arange(8), DRAWS)[0] == pytest.approx(expected)
 
 
-def test_sources_that_are_alike_are_called_different_in_5_of_100_sets() -> None:
+def test_sources_that_are_alike_are_called_different_in_5_of_100_sets():
     rng = np.random.default_rng(4)
     clusters = np.repeat(np.arange(12), 4)
     wrong = sum(
@@ -107,7 +105,7 @@ def test_sources_that_are_alike_are_called_different_in_5_of_100_sets() -> None:
     assert wrong / 400 <= 0.05 + 3 * math.sqrt(0.05 * 0.95 / 400)
 
 
-def test_holm() -> None:
+def test_holm():
     assert holm_correction([0.01, 0.04, 0.03, 0.005]) == pytest.approx([0.03, 0.06, 0.06, 0.02])
     assert holm_correction([0.9]) == [0.9]
     assert holm_correction([]) == []
@@ -123,7 +121,7 @@ def pairs_of(sources):
     return dict(zip(found, corrected_for(list(found.values())), strict=True))
 
 
-def test_ranks_are_tied_where_the_data_cannot_tell() -> None:
+def test_ranks_are_tied_where_the_data_cannot_tell():
     rng = np.random.default_rng(5)
     base = rng.random(100)
     sources = [base, base + 0.002 * rng.standard_normal(100), base - 0.3]
@@ -135,13 +133,13 @@ def test_ranks_are_tied_where_the_data_cannot_tell() -> None:
     assert significantly_best(1, {}, +1) is None
 
 
-def test_chances_of_being_best_share_ties_and_sum_to_one() -> None:
+def test_chances_of_being_best_share_ties_and_sum_to_one():
     drawn = [np.array([1.0, 2.0, 3.0]), np.array([1.0, 1.0, 4.0]), np.array([0.0, 0.0, 0.0])]
     assert probability_of_best(drawn, +1) == pytest.approx([0.5, 0.5, 0.0])
     assert probability_of_best(drawn, -1) == pytest.approx([0.0, 0.0, 1.0])
 
 
-def test_a_band_holds_the_whole_of_the_true_curve_in_95_of_100_sets() -> None:
+def test_a_band_holds_the_whole_of_the_true_curve_in_95_of_100_sets():
     rng = np.random.default_rng(6)
     taus = np.linspace(0.5, 10, 40)
     inside = everywhere = 0
@@ -160,7 +158,7 @@ def test_a_band_holds_the_whole_of_the_true_curve_in_95_of_100_sets() -> None:
     assert 0.9 <= inside / 200 <= 0.99
 
 
-def test_a_band_says_where_the_difference_is_beyond_chance() -> None:
+def test_a_band_says_where_the_difference_is_beyond_chance():
     rng = np.random.default_rng(7)
     off = rng.standard_normal((80, 3)) * 0.1
     off += np.array([0.01, 0.2, -0.2]) - off.mean(axis=0)
@@ -171,7 +169,7 @@ def test_a_band_says_where_the_difference_is_beyond_chance() -> None:
 
 
 @pytest.mark.parametrize("true", [0.05, 0.1])
-def test_power_is_what_drawn_sets_of_that_many_frames_show(true) -> None:
+def test_power_is_what_drawn_sets_of_that_many_frames_show(true):
     rng = np.random.default_rng(8)
     off = rng.standard_normal(60) * 0.2
     deviation = off.std(ddof=1) / math.sqrt(60)
@@ -184,14 +182,14 @@ def test_power_is_what_drawn_sets_of_that_many_frames_show(true) -> None:
     assert found / 1000 == pytest.approx(0.8, abs=0.045)
 
 
-def test_more_frames_are_needed_for_less_and_where_frames_are_alike() -> None:
+def test_more_frames_are_needed_for_less_and_where_frames_are_alike():
     assert required_frames(0.01, 0.02, 100, 100.0) > required_frames(0.02, 0.02, 100, 100.0)
     assert required_frames(0.02, 0.02, 100, 10.0) > required_frames(0.02, 0.02, 100, 100.0)
     least = minimum_detectable_difference(0.02, 100.0)
     assert required_frames(least, 0.02, 100, 100.0) == 100
 
 
-def test_the_share_of_clicks_in_the_spread() -> None:
+def test_the_share_of_clicks_in_the_spread():
     rng = np.random.default_rng(9)
     moved = np.stack((rng.normal(0.5, 0.1, (100, 20)), np.full((100, 20), 0.7)), axis=2)
     found = annotation_noise_sensitivity(moved, np.array([0.02, 0.02]))
@@ -203,13 +201,13 @@ def test_the_share_of_clicks_in_the_spread() -> None:
     assert np.isnan(alone.shares).all()
 
 
-def test_the_noise_of_one_annotator_from_the_floor_of_two() -> None:
+def test_the_noise_of_one_annotator_from_the_floor_of_two():
     rng = np.random.default_rng(10)
     apart = np.abs(rng.normal(0, 1.5, 200_000) - rng.normal(0, 1.5, 200_000))
     assert noise_from_median_distance(float(np.median(apart))) == pytest.approx(1.5, rel=0.01)
 
 
-def test_a_band_of_a_curve_that_few_frames_have() -> None:
+def test_a_band_of_a_curve_that_few_frames_have():
     jacs = np.full((12, 3), np.nan)
     jacs[:2] = (0.1, 0.5, 0.9), (0.2, 0.5, 0.8)
     band = curve_band(bootstrap(RatioMetrics.mean(jacs), np.arange(12), DRAWS), DRAWS)
@@ -220,7 +218,7 @@ def test_a_band_of_a_curve_that_few_frames_have() -> None:
     assert np.isnan(band.low).all()
 
 
-def test_a_coarser_answer_never_needs_more_frames() -> None:
+def test_a_coarser_answer_never_needs_more_frames():
     for effective in (40.0, 8.0):
         needed = [
             required_frames(0.001 * 1.3**n, 0.02, 40, effective, power=0.5) for n in range(30)
@@ -230,7 +228,7 @@ def test_a_coarser_answer_never_needs_more_frames() -> None:
 
 
 @pytest.mark.parametrize("alike", [0.1, 0.4])
-def test_power_holds_where_frames_come_in_clusters(alike) -> None:
+def test_power_holds_where_frames_come_in_clusters(alike):
     rng = np.random.default_rng(11)
     each, true, spread = 5, 0.06, 0.2
     between, within = spread * math.sqrt(alike), spread * math.sqrt(1 - alike)
@@ -247,7 +245,7 @@ def test_power_holds_where_frames_come_in_clusters(alike) -> None:
     assert found / 600 == pytest.approx(0.8, abs=0.055)
 
 
-def test_what_is_undefined_in_other_frames_leaves_the_rest_defined() -> None:
+def test_what_is_undefined_in_other_frames_leaves_the_rest_defined():
     values = RatioMetrics(np.array([[np.nan], [6.0], [8.0]]), np.array([[1.0], [2.0], [2.0]]))
     some = values.of(np.array([False, True, True]))
     assert some.parts.sum() / some.denominators.sum() == 3.5

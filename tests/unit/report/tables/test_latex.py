@@ -1,7 +1,5 @@
 """LaTeX tables show names as they are and fit the text."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 
@@ -14,7 +12,7 @@ from procc_annotator.report.tables.data_files import escape_latex, latex_table, 
 from procc_annotator.report.tables.table import Column, Metric, MetricTable, metric_column
 
 
-def test_every_special_character_is_escaped() -> None:
+def test_every_special_character_is_escaped():
     assert escape_latex(r"\a{b}") == r"\textbackslash{}a\{b\}"
     assert escape_latex("50 % of $x_1$ & #2 ~ ^") == (
         r"50 \% of \$x\_1\$ \& \#2 \textasciitilde{} \textasciicircum{}"
@@ -23,7 +21,7 @@ def test_every_special_character_is_escaped() -> None:
     assert escape_latex("–") == "--"
 
 
-def test_a_table_has_as_many_cells_in_every_line() -> None:
+def test_a_table_has_as_many_cells_in_every_line():
     columns = (
         Column("source", "Source"),
         metric_column(Metric("a", "a", better="higher"), group="one & only"),
@@ -41,12 +39,12 @@ def test_a_table_has_as_many_cells_in_every_line() -> None:
     assert r"\caption{Caption 5 \%.}" in text
 
 
-def test_remarks_cannot_leave_their_comment() -> None:
+def test_remarks_cannot_leave_their_comment():
     text = latex_tables([], ["one\n\\input{secret}"])
     assert text.splitlines()[0] == r"% one \input{secret}"
 
 
-def test_distances_next_to_a_horizon_are_told_as_on_the_terminal() -> None:
+def test_distances_next_to_a_horizon_are_told_as_on_the_terminal():
     spread = MapSummary(0.25, 0.5, 2444644.06)
     summary = ComparisonSummary(1, (), spread, spread, 0.5, {})
     text = latex_table(disagreement_section([ReportedPair("a", "b", summary)]))
@@ -63,7 +61,7 @@ def _wide(columns: int) -> MetricTable:
     )
 
 
-def test_latex_sets_every_table_within_the_text(tmp_path) -> None:
+def test_latex_sets_every_table_within_the_text(tmp_path):
     """LaTeX itself says whether it can set them, and how wide they are."""
     pdflatex, find = shutil.which("pdflatex"), shutil.which("kpsewhich")
     if pdflatex is None or find is None or subprocess.run([find, "adjustbox.sty"]).returncode:

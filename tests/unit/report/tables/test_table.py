@@ -1,7 +1,5 @@
 """A sheet holds values; every kind of file writes the same ones."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -45,7 +43,7 @@ def sheet(*rows: tuple[Value, ...]) -> MetricTable:
     return MetricTable("sources", "Sources", columns, rows, "soccernet, 960x540", ("A note.",))
 
 
-def test_a_figure_is_shown_by_its_unit_and_digits() -> None:
+def test_a_figure_is_shown_by_its_unit_and_digits():
     assert metrics.MEAN_JAC.text(0.38914) == "38.91"
     assert metrics.MEAN_ERROR.text(None) == metrics.MEAN_ERROR.text(math.nan) == "–"
     assert metrics.BIAS_DOWN.text(0.257) == "+0.26"
@@ -54,12 +52,12 @@ def test_a_figure_is_shown_by_its_unit_and_digits() -> None:
     assert metrics.DEVIATIONS[0].text(0.012345) == "0.0123"
 
 
-def test_keys_of_figures_that_stand_together_differ() -> None:
+def test_keys_of_figures_that_stand_together_differ():
     for together in (metrics.OF_SET, metrics.OF_CLASS, metrics.LEGACY, metrics.DEVIATIONS):
         assert len({figure.key for figure in together}) == len(together)
 
 
-def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
+def test_columns_that_are_joined_share_a_cell_on_a_page():
     content = display_table(
         sheet(("a", 0.38, 0.36, 0.41, 2.0, 3, True), ("b", 0.4, None, None, 2.0, 3, False))
     )
@@ -76,14 +74,14 @@ def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
     assert content.rows[1][1].text == "40.00"
 
 
-def test_csv_holds_exact_values_and_no_formula() -> None:
+def test_csv_holds_exact_values_and_no_formula():
     text = csv_bytes(sheet(("=1+1", 0.1 + 0.2, None, math.nan, 2.0, 3, True))).decode()
     head, row = csv.reader(io.StringIO(text))
     assert head == ["source", "jac@5", "low", "high", "mean_error", "frames", "fitted"]
     assert row == ["'=1+1", repr(0.1 + 0.2), "", "", "2.0", "3", "true"]
 
 
-def test_a_number_below_zero_is_no_formula() -> None:
+def test_a_number_below_zero_is_no_formula():
     columns = (
         Column("bias", kind="number", written=".2f"),
         Column("threshold", kind="number", written="shortest"),
@@ -94,7 +92,7 @@ def test_a_number_below_zero_is_no_formula() -> None:
 
 
 @pytest.mark.parametrize("text", ["=1", "+1", "-1", "@a", "\ta", "'=1", "''=1", "'a", "a", ""])
-def test_a_cell_that_was_defused_reads_back_as_it_was(text) -> None:
+def test_a_cell_that_was_defused_reads_back_as_it_was(text):
     cells = csv_bytes(
         MetricTable("", "", (Column("text"), count_column("n")), ((text, 1),))
     ).decode()
@@ -103,7 +101,7 @@ def test_a_cell_that_was_defused_reads_back_as_it_was(text) -> None:
     assert unescape_formula(cell) == text
 
 
-def test_json_holds_the_same_values_and_null_for_what_is_undefined() -> None:
+def test_json_holds_the_same_values_and_null_for_what_is_undefined():
     entry = json.loads(json_bytes(table_entry(sheet(("=1", 0.25, None, math.nan, 2.0, 3, True)))))
     assert entry["rows"] == [
         {
@@ -114,7 +112,7 @@ def test_json_holds_the_same_values_and_null_for_what_is_undefined() -> None:
     assert entry["described"] == "soccernet, 960x540"
 
 
-def test_the_terminal_shows_title_terms_and_notes() -> None:
+def test_the_terminal_shows_title_terms_and_notes():
     console = Console(width=100, record=True, file=io.StringIO())
     console.print(terminal_table(sheet(("[red]", 0.25, 0.2, 0.3, None, 3, False))))
     text = console.export_text()
@@ -122,12 +120,12 @@ def test_the_terminal_shows_title_terms_and_notes() -> None:
         assert said in text
 
 
-def test_a_row_of_another_length_is_refused() -> None:
+def test_a_row_of_another_length_is_refused():
     with pytest.raises(ValueError, match="2 values, 1 columns"):
         MetricTable("odd", "", (Column("a"),), ((1, 2),))
 
 
-def test_every_figure_and_count_says_what_it_means() -> None:
+def test_every_figure_and_count_says_what_it_means():
     """What a page's columns mean is told in one place, where they are listed."""
     found: list[Metric] = []
     for value in (*vars(metrics).values(), *vars(metrics).values()):
@@ -136,7 +134,7 @@ def test_every_figure_and_count_says_what_it_means() -> None:
     assert [f.key for f in found if not f.definition.endswith((".", ")"))] == []
 
 
-def test_a_page_explains_its_columns_once() -> None:
+def test_a_page_explains_its_columns_once():
     first = MetricTable(
         "a",
         "A",
