@@ -150,7 +150,7 @@ def _print(field: Field) -> None:
 
 
 def _write_picture(field: Field, out: Path) -> None:
-    from procc_annotator.gui.panels.field_map.shape import FieldShape
+    from procc_annotator.gui.panels.field_map.field_shape import FieldShape
 
     check_picture_suffix(out)
     check_output_folder(out)

@@ -18,8 +18,8 @@ from procc_annotator.field.validation import FieldWarning, WarningSeverity, vali
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.elements import ElementsPanel
-from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
-from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
+from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
+from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings
 from procc_annotator.gui.state.background import LatestOnlyTask
 from procc_annotator.gui.state.document import Document

@@ -42,18 +42,17 @@ from procc_annotator.gui.messages import (
     ask_to_leave_unsaved,
 )
 from procc_annotator.gui.panels.agreement import AgreementPanel
-from procc_annotator.gui.panels.cameras.panel import CamerasPanel
+from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
-from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
-from procc_annotator.gui.panels.findings.panel import FindingsPanel
-from procc_annotator.gui.panels.frames.panel import FramesPanel
-from procc_annotator.gui.panels.judged.fit import FitPanel
-from procc_annotator.gui.panels.judged.scores import ScoresPanel
+from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
+from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel
+from procc_annotator.gui.panels.fit import FitPanel
+from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
-from procc_annotator.gui.panels.timeline.place import StripPlace
-from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
+from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripPlace
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document

@@ -603,6 +603,6 @@ class TestInAShot:
 
 
 def words(window: MainWindow) -> str:
-    from procc_annotator.gui.panels.timeline.words import strip_words
+    from procc_annotator.gui.panels.timeline.shot_strip import strip_words
 
     return strip_words(window.document, window.strip.content, window.strip.number)

@@ -18,8 +18,8 @@ from procc_annotator.field.geometry import Spot
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Field, Landmark
-from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
-from procc_annotator.gui.panels.field_map.shape import FieldShape
+from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
+from procc_annotator.gui.panels.field_map.field_shape import FieldShape
 from procc_annotator.gui.state.document import Document
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

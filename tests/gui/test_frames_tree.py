@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames.folder_row import folder_words
+from procc_annotator.gui.panels.frames.delegate import folder_words
 from procc_annotator.gui.panels.frames.model import FolderInfo
 from tests.gui.conftest import Hand, MakeWindow, all_done
 

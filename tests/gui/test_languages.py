@@ -41,7 +41,7 @@ from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.titles import short_titles
+from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics

@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.states import WORDS
+from procc_annotator.gui.panels.element_states import WORDS
 from tests.gui.conftest import Hand
 
 MakeWindow = Callable[..., MainWindow]

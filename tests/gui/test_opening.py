@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QTableView
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.judged.score_table import WORST
+from procc_annotator.gui.panels.scores import WORST
 from procc_annotator.metrics.score import px_text
 from tests.gui.conftest import MakeWindow
 

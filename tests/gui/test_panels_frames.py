@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.panels.frames.delegate import row_words
+from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
 from procc_annotator.gui.panels.frames.model import RowInfo
-from procc_annotator.gui.panels.frames.panel import FramesPanel
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.panels.field_map.shape import FieldShape
+from procc_annotator.gui.panels.field_map.field_shape import FieldShape
 from procc_annotator.interaction.class_choice import match_rank
 
 

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLineEdit
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import settings as rows
-from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.widgets import DecimalBox
 from procc_annotator.gui.settings import OFFERED, Settings
 from procc_annotator.gui.theme import is_dark, set_theme
 from procc_annotator.gui.window.settings_dialog import SettingRow, SettingsDialog

@@ -18,7 +18,7 @@ from procc_annotator.batch.audit import FrameAudit
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.cameras.source_row import SourceRow
+from procc_annotator.gui.panels.cameras.sources import SourceRow
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interaction.palette import SOURCE_COLOURS

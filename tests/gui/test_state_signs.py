@@ -11,8 +11,13 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.field.model import colour_difference
-from procc_annotator.gui.panels.field_map.ground import ground_colour
-from procc_annotator.gui.panels.states import WORDS, ElementState, paint_symbol, state_colour
+from procc_annotator.gui.panels.element_states import (
+    WORDS,
+    ElementState,
+    paint_symbol,
+    state_colour,
+)
+from procc_annotator.gui.panels.field_map.painting import ground_colour
 from procc_annotator.gui.theme import alarm_colours, contrast, palette
 from procc_annotator.interaction import palette as tones
 from tests.unit.interaction.test_palette import SEEN_BY, as_seen

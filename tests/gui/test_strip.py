@@ -24,8 +24,7 @@ from procc_annotator.dataset.frames import list_frames
 from procc_annotator.dataset.sequence import FEWEST, sequence_of
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.timeline import content
-from procc_annotator.gui.panels.timeline.axis import Axis
-from procc_annotator.gui.panels.timeline.band import Band, band_pixels
+from procc_annotator.gui.panels.timeline.content import Axis, Band, band_pixels
 from procc_annotator.gui.panels.timeline.painting import strip_rows
 from tests.gui.conftest import all_done
 
@@ -413,7 +412,7 @@ class TestWhatItTells:
 
 
 def strip_words(window: MainWindow) -> str:
-    from procc_annotator.gui.panels.timeline.words import strip_words
+    from procc_annotator.gui.panels.timeline.shot_strip import strip_words
 
     return strip_words(window.document, window.strip.content, window.strip.number)
 

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.calibration.prediction.uncertainty import ground_sd, map_ground_uncertainty
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.field_map.ground import ground_colour
+from procc_annotator.gui.panels.field_map.painting import ground_colour
 from tests.gui.conftest import Hand, MakeWindow
 
 FRAME = 1  # twelve elements

@@ -1,4 +1,4 @@
-"""How a second annotator's clicks agree with these, class by class, and the noise of both."""
+"""Agreement with a second annotator, class by class, and the noise of both."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.panels.parts import empty_state
-from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
-from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.panels.element_states import class_title
+from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTable, Index
+from procc_annotator.gui.panels.widgets import empty_state
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document

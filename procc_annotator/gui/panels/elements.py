@@ -20,9 +20,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.field.sampling import distances_from
 from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE, short_text
-from procc_annotator.gui.panels.findings.signs import FindingSigns
-from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
-from procc_annotator.gui.panels.states import (
+from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
     class_swatch,
@@ -30,7 +28,9 @@ from procc_annotator.gui.panels.states import (
     symbol_icon,
     words_for,
 )
-from procc_annotator.gui.panels.titles import short_titles
+from procc_annotator.gui.panels.findings.finding_rows import FindingSigns
+from procc_annotator.gui.panels.tables import short_titles
+from procc_annotator.gui.panels.widgets import NARROW, SEARCH_KEYS, empty_state
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.theme import muted

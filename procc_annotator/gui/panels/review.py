@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
-from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.rows import Index
+from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.settings import CALLED, Settings
 from procc_annotator.gui.theme import blend
 from procc_annotator.gui.window.palette_entries import KINDS, Entry

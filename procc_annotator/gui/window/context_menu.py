@@ -18,7 +18,7 @@ from procc_annotator.gui.commands.elements.ghosts import GhostTasks
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
-from procc_annotator.gui.panels.states import class_swatch, class_title
+from procc_annotator.gui.panels.element_states import class_swatch, class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, tr_count, word

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QToolTip
 from procc_annotator.annotation import points_px
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.panels.findings.signs import reasons_of
+from procc_annotator.gui.panels.findings.finding_rows import reasons_of
 from procc_annotator.gui.state.document import Document
 
 _REACH = 32.0  # screen px: a sign stands beside its point, on whichever side there is room

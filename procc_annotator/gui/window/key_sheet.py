@@ -20,7 +20,7 @@ from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.gestures import GESTURES
 from procc_annotator.gui.keymap import NATIVE, Keymap
-from procc_annotator.gui.panels.parts import empty_state
+from procc_annotator.gui.panels.widgets import empty_state
 from procc_annotator.gui.window.key_columns import KeyColumns, Section, SheetRow
 from procc_annotator.gui.window.menus import in_menu
 from procc_annotator.translation import tr

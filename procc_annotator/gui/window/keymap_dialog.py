@@ -37,8 +37,8 @@ from procc_annotator.gui.keymap import (
     from_values,
     to_values,
 )
-from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
+from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
+from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.window.key_columns import keys_text
 from procc_annotator.translation import tr, word
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLineEdit
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.held_keys import beside_picture, typed_into
-from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE
+from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
 
 _CLICK_MS = 200  # window managers refuse to activate another window while a click is under way
 _ENTER, _BACKSPACE, _ESCAPE = "Enter", "Backspace", "Escape"  # not shown

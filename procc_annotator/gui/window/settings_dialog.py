@@ -24,8 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.decimal_box import RangeBox
-from procc_annotator.gui.panels.parts import ScrolledContent, empty_state
+from procc_annotator.gui.panels.widgets import RangeBox, ScrolledContent, empty_state
 from procc_annotator.gui.settings import FLAG, NUMBER, OFFERED, Setting, Shown
 from procc_annotator.gui.window.options import Options
 from procc_annotator.translation import tr

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QSlider, QWidget
 
-from procc_annotator.gui.decimal_box import RangeBox
+from procc_annotator.gui.panels.widgets import RangeBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.translation import tr

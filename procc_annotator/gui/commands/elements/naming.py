@@ -21,7 +21,7 @@ from procc_annotator.gui.commands.elements.element_edits import ElementEdits
 from procc_annotator.gui.digit_row import keys_by_place
 from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE
-from procc_annotator.gui.panels.states import class_swatch
+from procc_annotator.gui.panels.element_states import class_swatch
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.document import Document

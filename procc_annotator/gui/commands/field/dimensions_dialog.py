@@ -25,8 +25,7 @@ from procc_annotator.calibration.joint.field_dimensions import DEFAULT_DIMENSION
 from procc_annotator.field.dimensions import Dimension, violated_relation
 from procc_annotator.field.markings import has_off_centre_markings
 from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
-from procc_annotator.gui.decimal_box import RangeBox
-from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.widgets import RangeBox, note_label, show_note
 from procc_annotator.translation import tr, tr_count, word
 
 _WIDTH = 440

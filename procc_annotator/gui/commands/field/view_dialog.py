@@ -24,8 +24,8 @@ from PySide6.QtWidgets import (
 from procc_annotator.dataset.landmarks.view_groups import NamedViews, ViewGroups
 from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.gui.messages import as_sentence
-from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
+from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
+from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.theme import muted
 from procc_annotator.translation import tr, tr_count, word
 

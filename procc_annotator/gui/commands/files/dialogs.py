@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.formats.annotations.registry import FORMATS, AnnotationFormat
-from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.panels.widgets import DecimalBox
 from procc_annotator.translation import tr
 
 _WIDTH = 560

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.assist.label_proposal import LabelProposal, order_choices, rule_words
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LABELS_FILE, Rule
-from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.translation import tr, tr_count, word
 
 _SIZE = (960, 480)

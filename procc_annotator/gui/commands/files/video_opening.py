@@ -26,8 +26,7 @@ from procc_annotator.dataset.sequence import keep_frame, open_video
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.decimal_box import DecimalBox
-from procc_annotator.gui.panels.parts import choice
+from procc_annotator.gui.panels.widgets import DecimalBox, choice
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document

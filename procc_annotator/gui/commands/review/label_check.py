@@ -14,9 +14,8 @@ from procc_annotator.calibration.label_check.finding import Finding, Remedy, Rem
 from procc_annotator.dataset.review import StoredFinding, by_severity
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.panels.findings.panel import FindingsPanel
-from procc_annotator.gui.panels.findings.rows import Entry
-from procc_annotator.gui.panels.findings.words import so_many
+from procc_annotator.gui.panels.findings.finding_rows import Entry
+from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel, so_many
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame

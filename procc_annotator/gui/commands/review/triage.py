@@ -13,7 +13,7 @@ from procc_annotator.batch.triage import JudgedVerdict, judge_verdict
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, place_by_name
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
+from procc_annotator.gui.panels.scores import VerdictRow
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame, write

@@ -30,9 +30,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
-from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
-from procc_annotator.gui.panels.rows import Index
-from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.panels.element_states import class_title
+from procc_annotator.gui.panels.tables import Index
+from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, word

@@ -1,4 +1,4 @@
-"""What all plots share: axes in both themes, items used again, pages that say why they are empty.
+"""The base of all plot pages: axes in both themes, reused items, reasons for being empty.
 
 pyqtgraph is imported when the first page is made (it takes 0.3 s).
 """
@@ -14,9 +14,9 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
 from procc_annotator.batch.audit import FloatArray, PlotData
-from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.panels.plots.legend import source_pen, symbol_of
+from procc_annotator.gui.panels.widgets import empty_state
 from procc_annotator.gui.theme import follow_theme, muted, readable
 from procc_annotator.translation import tr
 

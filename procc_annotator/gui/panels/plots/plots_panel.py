@@ -21,10 +21,10 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.panels.parts import choice, empty_state
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
 from procc_annotator.gui.panels.plots.export import TakingAlong
 from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.widgets import choice, empty_state
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document

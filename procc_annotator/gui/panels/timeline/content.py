@@ -1,21 +1,181 @@
-"""What a strip shows of the open sequence, kept up as frames are followed, annotated, reviewed."""
+"""The contents of the timeline: its axis, the band of cameras, anchors and statuses by frame."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from itertools import islice
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import most_residual_px, review_reason
 from procc_annotator.dataset.records import FrameRecord, Status
 from procc_annotator.dataset.sequence import FrameSequence
-from procc_annotator.gui.panels.timeline.band import Band
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
+from procc_annotator.interaction import palette as tones
+
+_FEWEST = 20.0  # frames across the whole strip; nobody wants fewer
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """Frame numbers along a width.
+
+    A frame takes the room from its number to the next one.
+
+    Attributes:
+        first, last: numbers there are.
+        width: px.
+        begin, end: numbers at both ends of the width, the end beyond its frame.
+    """
+
+    first: int
+    last: int
+    width: float
+    begin: float
+    end: float
+
+    @classmethod
+    def whole(cls, first: int, last: int, width: float) -> Axis:
+        """All frames."""
+        return cls(first, last, width, float(first), float(last + 1))
+
+    @property
+    def per_frame(self) -> float:
+        """Px that a frame takes."""
+        return self.width / (self.end - self.begin)
+
+    @property
+    def is_whole(self) -> bool:
+        """Return whether all frames are in sight."""
+        return self.end - self.begin >= self.last + 1 - self.first
+
+    def x_of(self, number: float) -> float:
+        """Return where a frame begins, px."""
+        return (number - self.begin) * self.per_frame
+
+    def middle_of(self, number: float) -> float:
+        """The middle of a frame, px."""
+        return self.x_of(number + 0.5)
+
+    def number_at(self, x: float) -> int:
+        """The frame at a place, px; the nearest one next to the strip."""
+        number = int((x / self.per_frame) + self.begin)
+        return min(max(number, self.first), self.last)
+
+    def with_width(self, width: float) -> Axis:
+        """The same frames along another width."""
+        return replace(self, width=max(1.0, width))
+
+    def zoomed(self, times: float, x: float) -> Axis:
+        """So many times as near, while the frame at a place stays there."""
+        span = min(max((self.end - self.begin) / times, _FEWEST), self.last + 1.0 - self.first)
+        at = self.begin + x / self.per_frame
+        return self._from(at - x / self.width * span, span)
+
+    def scrolled(self, frames: float) -> Axis:
+        """Moved along by some frames."""
+        return self._from(self.begin + frames, self.end - self.begin)
+
+    def showing(self, number: int) -> Axis:
+        """Moved along, if need be, to have a frame in sight, with some room around it."""
+        span = self.end - self.begin
+        room = 0.1 * span
+        if self.begin + room <= number <= self.end - room:
+            return self
+        return self._from(number + 0.5 - span / 2, span)
+
+    def _from(self, begin: float, span: float) -> Axis:
+        begin = min(max(begin, float(self.first)), self.last + 1.0 - span)
+        begin = max(begin, float(self.first))
+        return replace(self, begin=begin, end=begin + span)
+
+
+Pixels = NDArray[np.uint32]
+
+_LOST_HEIGHT = 0.12
+_LEAST_HEIGHT = 0.25  # of a frame that has a camera
+_DOT = 2  # px of the screen
+
+
+@dataclass(frozen=True, eq=False)
+class Band:
+    """What is known of the frames of a sequence, by number from the first.
+
+    Attributes:
+        coverage: (n,) share of the lines on paint, 0 to 1; 0 for a lost frame, NaN where no one
+            looked.
+        distance: (n,) of the paint from the lines as a share of what is still sure, 0 to 1.
+        doubtful: (n,) whether a person should look.
+        lost: (n,) whether there is no camera.
+    """
+
+    coverage: FloatArray
+    distance: FloatArray
+    doubtful: NDArray[np.bool_]
+    lost: NDArray[np.bool_]
+
+    @classmethod
+    def unknown(cls, count: int) -> Band:
+        """No one examined any frame."""
+        off = np.zeros(count, dtype=bool)
+        return cls(np.full(count, np.nan), np.zeros(count), off, off.copy())
+
+
+def band_pixels(band: Band, axis: Axis, size: tuple[int, int]) -> Pixels:
+    """The band as (height, width) 0xAARRGGBB, transparent where nothing is known.
+
+    Args:
+        band: of the whole sequence.
+        axis: in whatever px; its frames are spread over the width.
+        size: (width, height) px of the screen.
+    """
+    width, height = size
+    edges = axis.begin + (axis.end - axis.begin) * np.arange(width + 1) / width
+    begin = np.clip(np.floor(edges[:-1]).astype(np.intp) - axis.first, 0, len(band.lost) - 1)
+    past = np.clip(np.ceil(edges[1:]).astype(np.intp) - axis.first, begin + 1, len(band.lost))
+    known = ~np.isnan(band.coverage)
+    coverage = _least(np.where(known, band.coverage, np.inf), begin, past)
+    doubtful = -_least(-(band.doubtful & known).astype(np.float64), begin, past) > 0
+    lost = -_least(-(band.lost & known).astype(np.float64), begin, past) > 0
+    distance = -_least(-np.where(known, band.distance, 0.0), begin, past)
+    tops = np.where(lost, _LOST_HEIGHT, np.maximum(coverage, _LEAST_HEIGHT))
+    rows = np.where(np.isfinite(coverage), np.ceil(np.minimum(tops, 1.0) * height), 0)
+    filled = np.arange(height)[::-1, None] < rows[None, :]
+    dots = (np.arange(height)[:, None] // _DOT + np.arange(width)[None, :] // _DOT) % 2 == 0
+    filled &= ~(doubtful & ~lost)[None, :] | dots
+    return np.where(filled, _colours(distance, doubtful, lost)[None, :], np.uint32(0))
+
+
+def _least(values: FloatArray, begin: NDArray[np.intp], past: NDArray[np.intp]) -> FloatArray:
+    """(width,) the least of the values from each begin to before each end."""
+    pairs = np.column_stack((begin, past)).ravel()
+    padded = np.append(values, np.inf)  # an end may be that of all
+    return np.asarray(np.minimum.reduceat(padded, pairs)[::2])
+
+
+def _colours(
+    distance: FloatArray, doubtful: NDArray[np.bool_], lost: NDArray[np.bool_]
+) -> NDArray[np.uint32]:
+    good, far, gone = (_rgb(tone) for tone in (tones.PASSES, tones.NOT_ANNOTATED, tones.TOO_FAR))
+    share = np.clip(distance, 0.0, 1.0)[:, None] * 0.7
+    mixed = good * (1 - share) + far * share
+    mixed = np.where(doubtful[:, None], far, mixed)
+    red, green, blue = np.where(lost[:, None], gone, mixed).round().astype(np.uint32).T
+    packed = (red << 16) | (green << 8) | blue
+    return np.asarray(packed | np.uint32(0xFF000000), dtype=np.uint32)
+
+
+def _rgb(tone: str) -> FloatArray:
+    return np.array([int(tone[i : i + 2], 16) for i in (1, 3, 5)], dtype=np.float64)
+
 
 _AT_ONCE = 400  # frames that are taken down in one go
 

@@ -1,4 +1,4 @@
-"""How a strip is painted: words, marks, the band of its frames, their status, numbers."""
+"""Painting the timeline: the band of its frames, marks, statuses, numbers."""
 
 from __future__ import annotations
 
@@ -20,9 +20,7 @@ from PySide6.QtGui import (
 )
 
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.timeline.axis import Axis
-from procc_annotator.gui.panels.timeline.band import band_pixels
-from procc_annotator.gui.panels.timeline.content import StripContent
+from procc_annotator.gui.panels.timeline.content import Axis, StripContent, band_pixels
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interaction import palette as tones
 

@@ -1,11 +1,15 @@
-"""The strip below the picture: every frame of a video or a shot, to look at and to go to."""
+"""The timeline below the picture: every frame of a video or a shot, to see and to go to.
+
+It is shown for frames that follow one another. It takes room from the picture, which must not move
+under a click: if it is found late, it waits for the next frame unless this one was begun.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Protocol
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
     QAccessible,
     QFocusEvent,
@@ -19,14 +23,80 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.sequence import FrameSequence
-from procc_annotator.gui.panels.timeline.axis import Axis
-from procc_annotator.gui.panels.timeline.content import StripContent
+from procc_annotator.gui.canvas.editor import Editor
+from procc_annotator.gui.panels.timeline.content import Axis, StripContent
 from procc_annotator.gui.panels.timeline.painting import Rows, paint_here, paint_strip, strip_rows
-from procc_annotator.gui.panels.timeline.words import strip_words
 from procc_annotator.gui.roles import give_role
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
-from procc_annotator.translation import tr
+from procc_annotator.gui.state.store import When
+from procc_annotator.translation import tr, word
+
+# How a frame's camera came about.
+_STATES = {
+    "anchor": word("anchor", "a frame"),
+    "followed": word("followed", "a frame"),
+    "bridged": word("bridged", "a frame"),
+    "lost": word("lost", "a frame"),
+}
+
+
+def strip_words(document: Document, content: StripContent, number: int | None) -> str:
+    """Number, time and what is known of its camera, in a line."""
+    sequence = content.sequence
+    if sequence is None or number is None:
+        return ""
+    index = sequence.index_of.get(number)
+    name = None
+    if index is not None and document.state.workspace is not None:
+        name = document.state.workspace.frames[index].name
+    said = [
+        tr(
+            "frame {number} of {first}–{last}",
+            number=number,
+            first=sequence.first,
+            last=sequence.last,
+        )
+    ]
+    if name is not None and "/" in name:
+        said = [name]  # in a tree numbers go on from folder to folder
+    if sequence.step > 1:
+        said.append(tr("names count by {step}", step=sequence.step))
+    if sequence.video is not None:
+        seconds = number / sequence.fps
+        said.append(f"{int(seconds // 60)}:{seconds % 60:05.2f}")
+    if number in content.anchors:
+        said.append(tr("annotated"))
+    if number in content.dragged and not content.hidden:
+        said.append(tr("its camera was dragged"))
+    status = content.statuses.get(number, Status.UNTOUCHED)
+    if status is not Status.UNTOUCHED:
+        said.append(tr(status.value, "a frame"))
+    if document.state.reveals(name):
+        said.extend(_of_track(document, number))
+    else:
+        said.append(tr("blind: its camera is hidden"))
+    return "  ·  ".join(said)
+
+
+def _of_track(document: Document, number: int) -> list[str]:
+    frame = document.shot_track.tracked.get(number)
+    if frame is None:
+        return []
+    said = [tr(_STATES[frame.state], "a frame")]
+    if frame.fit is not None and frame.fit.camera is not None:
+        said[0] = tr(
+            "{state}, {share:.0%} of the lines on paint", state=said[0], share=frame.coverage
+        )
+        if (far := frame.residual_px) is not None:
+            said[0] = tr("{found}, {far:.1f} px from it", found=said[0], far=far)
+    if doubt := review_reason(frame):
+        said.append(tr("doubtful: {why}", why=doubt))
+    return said
+
 
 _WHEEL_STEP = 1.25
 _SIDE = 8  # px beside the frames
@@ -284,3 +354,42 @@ class ShotStrip(QWidget):
         assert self._mark_from is not None
         self.stretch = min(self._mark_from, number), max(self._mark_from, number)
         self.update()
+
+
+class StripPlace(QObject):
+    """Shows and hides the strip."""
+
+    def __init__(self, document: Document, editor: Editor, strip: ShotStrip) -> None:
+        super().__init__(strip)
+        self._document, self._editor, self._strip = document, editor, strip
+        self._wanted, self._begun = True, False
+        strip.setVisible(False)
+        document.sequence.changed.connect(self._look)
+        editor.changed.connect(self._note)
+        document.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
+        document.store.watch(select.frame, self._begin)
+
+    @property
+    def wanted(self) -> bool:
+        """Return whether a person wants it where there is one."""
+        return self._wanted
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Show it where there is one, or do not."""
+        self._wanted = wanted
+        self._show()
+
+    def _begin(self) -> None:
+        """A frame came whole."""
+        self._begun = False
+        self._show()
+
+    def _note(self) -> None:
+        self._begun = True
+
+    def _look(self) -> None:
+        if not self._begun and not self._editor.drawing:
+            self._show()
+
+    def _show(self) -> None:
+        self._strip.setVisible(self._wanted and self._document.sequence.value is not None)

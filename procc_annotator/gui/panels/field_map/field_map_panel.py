@@ -24,22 +24,25 @@ from procc_annotator.calibration.prediction.suggestions import AnnotationSuggest
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.field_map.ground import (
-    paint_ground,
-    paint_metres,
-    part_to_show,
-)
-from procc_annotator.gui.panels.field_map.placement import MapView, Placement, nearest
-from procc_annotator.gui.panels.field_map.shape import FieldShape
-from procc_annotator.gui.panels.field_map.signs import paint_badge, paint_spot
-from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
-from procc_annotator.gui.panels.states import (
+from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
     class_title,
     element_states,
     state_pen,
 )
+from procc_annotator.gui.panels.field_map.field_shape import FieldShape
+from procc_annotator.gui.panels.field_map.painting import (
+    MapView,
+    Placement,
+    nearest,
+    paint_badge,
+    paint_ground,
+    paint_metres,
+    paint_spot,
+    part_to_show,
+)
+from procc_annotator.gui.panels.findings.finding_rows import findings_by_element, reasons_of
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged

@@ -1,4 +1,4 @@
-"""How each field element stands in this frame: words, symbols, lines, the same in every panel."""
+"""The state of each field element in this frame: words, symbols, lines, alike in every panel."""
 
 from __future__ import annotations
 

@@ -1,18 +1,24 @@
-"""Where the field map's lines are in its widget, magnified and moved by hands."""
+"""Painting the field map: its place in the widget, the ground, the signs of states."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QPolygonF, QTransform
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF, QTransform
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.gui.panels.field_map.shape import FieldShape
-from procc_annotator.gui.panels.field_map.unfolding import Bounds
+from procc_annotator.gui.canvas.metre_map_picture import paint_shapes
+from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
+from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
+from procc_annotator.gui.state.map_shapes import MapShapes
+from procc_annotator.gui.state.maps import MapSight
+from procc_annotator.gui.theme import blend, muted
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.camera_view import VisibleField
 
 _LARGEST = 40.0
 _STEP = 1.0015  # an eighth of a degree of the wheel
@@ -169,3 +175,114 @@ def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str
         if along > max(0.5, aside / _STEEPEST) and (far := along + _ASIDE * aside) < least:
             best, least = name, far
     return best
+
+
+_RIM = 4.0  # widget points of grass around the lines
+_ACROSS = 0.08  # of the map's length that is shown of the half that is out of sight
+_WORTH_IT = 1.2  # so many times as large
+_FAINT = 0.35  # of the ground's tone, where it is out of sight
+
+
+def ground_colour(palette: QPalette, share: float = 1.0) -> QColor:
+    """The field's surface, on either theme; fainter by a share."""
+    return blend(palette.color(QPalette.ColorRole.Base), QColor("#3f9b4f"), 0.14 * share)
+
+
+def part_to_show(
+    shape: FieldShape, sight: MapSight, needed: Collection[str | None], room: QRectF
+) -> Bounds | None:
+    """The part of the map to lay out; None: all of it.
+
+    The half that is out of sight leaves its room to the other one, unless that would not be drawn
+    much larger.
+
+    Args:
+        shape: the field.
+        sight: what is seen of it.
+        needed: elements that must be seen, wherever they are.
+        room: what the map has of the widget.
+    """
+    if sight.half == 0:
+        return None
+    left, top, right, bottom = shape.bounds
+    across = _ACROSS * (right - left)
+    for name, line in zip(shape.names, shape.lines, strict=True):
+        if name in needed and (sight.half * line[:, 0]).max() < -across:
+            return None
+    part = (-across, top, right, bottom) if sight.half > 0 else (left, top, across, bottom)
+    gain = scale_to_fit(part, room, sight.turns) / scale_to_fit(shape.bounds, room, sight.turns)
+    return part if gain > _WORTH_IT else None
+
+
+def paint_ground(
+    painter: QPainter, placed: Placement, sight: VisibleField | None, palette: QPalette
+) -> None:
+    """Grass; fainter where the camera does not see it."""
+    around = placed.ground.adjusted(-_RIM, -_RIM, _RIM, _RIM)
+    if sight is None:
+        painter.fillRect(around, ground_colour(palette))
+        return
+    painter.fillRect(around, ground_colour(palette, _FAINT))
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.OddEvenFill)
+    for outlines in sight.ground:
+        for outline in outlines:
+            path.addPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]))
+    painter.save()
+    painter.setClipRect(around, Qt.ClipOperation.IntersectClip)
+    painter.fillPath(placed.transform.map(path), ground_colour(palette, 2.0))
+    painter.restore()
+
+
+def paint_metres(painter: QPainter, placed: Placement, shapes: MapShapes) -> None:
+    """Bands of a map in metres, as far as the field reaches."""
+    painter.save()
+    painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
+    paint_shapes(painter, shapes, placed.transform, unit=0.75)
+    painter.restore()
+
+
+_SPOT = 2.2  # radius of a single place
+
+
+def paint_spot(
+    painter: QPainter,
+    at: QPointF,
+    state: ElementState,
+    palette: QPalette,
+    *,
+    chosen: bool,
+    hovered: bool,
+) -> None:
+    """A single place: a dot until there is something to say of it, then the state's sign."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    if chosen:
+        for colour, radius in ((tones.OUTLINE, _SPOT + 5), (tones.HALO, _SPOT + 4)):
+            painter.setBrush(QColor(colour))
+            painter.drawEllipse(at, radius, radius)
+    elif hovered:
+        painter.setBrush(muted(palette, 0.75))
+        painter.drawEllipse(at, _SPOT + 4, _SPOT + 4)
+    if state is ElementState.UNTOUCHED:
+        painter.setBrush(state_colour(state, palette))
+        painter.drawEllipse(at, _SPOT, _SPOT)
+        return
+    painter.setBrush(palette.color(QPalette.ColorRole.Base))
+    painter.drawEllipse(at, _SPOT + 3, _SPOT + 3)
+    _paint_sign(painter, at, 2 * _SPOT + 7, state, palette)
+
+
+def paint_badge(painter: QPainter, at: QPointF, state: ElementState, palette: QPalette) -> None:
+    """Both solid lines bear their sign as well: tick or cross."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(palette.color(QPalette.ColorRole.Base))
+    painter.drawEllipse(at, 5, 5)
+    _paint_sign(painter, at, 11, state, palette)
+
+
+def _paint_sign(
+    painter: QPainter, at: QPointF, side: float, state: ElementState, palette: QPalette
+) -> None:
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
+    paint_symbol(painter, box, state, state_colour(state, palette))
