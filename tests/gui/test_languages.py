@@ -39,12 +39,12 @@ from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.registry import FORMATS
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
-from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.tables import short_titles
-from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
+from procc_annotator.gui.window.workspaces import DESKS
 from procc_annotator.report.tables.data_files import json_bytes
 from procc_annotator.translation import (
     tr,

@@ -24,9 +24,9 @@ from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import LAYOUT, Settings
 from procc_annotator.gui.theme import alarm_colours, palette
-from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.status import MESSAGE_END
+from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.gui.window.welcome import RecentMenu
 from procc_annotator.interaction.hints import SEPARATOR
 

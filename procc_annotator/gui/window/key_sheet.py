@@ -18,8 +18,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.field.model import Field
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import element_keys, key_text
-from procc_annotator.gui.gestures import GESTURES
-from procc_annotator.gui.keymap import NATIVE, Keymap
+from procc_annotator.gui.keymap import GESTURES, NATIVE, Keymap
 from procc_annotator.gui.panels.widgets import empty_state
 from procc_annotator.gui.window.key_columns import KeyColumns, Section, SheetRow
 from procc_annotator.gui.window.menus import in_menu

@@ -15,9 +15,9 @@ from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.settings import OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.prediction.live_fit import MODELS
-from procc_annotator.gui.window.docks import TITLES
 from procc_annotator.gui.window.menus import Actions, in_menu
 from procc_annotator.gui.window.welcome import described
+from procc_annotator.gui.window.workspaces import TITLES
 from procc_annotator.interaction.class_choice import loose_rank, match_rank, misspelt
 from procc_annotator.translation import tr, word
 

@@ -1,8 +1,4 @@
-"""The docks around the picture: which there are, how they are arranged, hidden and remembered.
-
-Those that are for one kind of work make a desk; one desk is in sight at a time, next to the frames
-and the field map, which belong to every work.
-"""
+"""Workspaces: docks of panels, the tab bar that switches them, the drawer of plots."""
 
 from __future__ import annotations
 
@@ -11,10 +7,20 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import pairwise
 
-from PySide6.QtCore import QByteArray, Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
+from PySide6.QtCore import QByteArray, QEvent, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QHBoxLayout,
+    QMainWindow,
+    QSizePolicy,
+    QTabBar,
+    QToolButton,
+    QWidget,
+)
 
 from procc_annotator.gui.state.visible_update import VisibleUpdate
+from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, word
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
@@ -286,3 +292,96 @@ def _look_of(desk: str, kept: object) -> DeskLook | None:
         height,
         drawer,
     )
+
+
+_TITLES = {
+    "annotate": word("Annotate", "desk"),
+    "judge": word("Judge", "desk"),
+    "review": word("Review", "desk"),
+}
+_ROOM = 6  # px around the words: no more than the menus have beside them
+
+
+class DeskSwitch(QWidget):
+    """Buttons of the actions that turn to a desk."""
+
+    def __init__(self, window: QMainWindow, actions: Actions) -> None:
+        super().__init__(window)
+        self.setObjectName("deskSwitch")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 4, 0)
+        row.setSpacing(2)
+        for desk in DESKS:
+            action = actions[f"desk_{desk}"]
+            action.setIconText(tr(_TITLES[desk], "desk"))
+            button = QToolButton()
+            button.setObjectName(f"desk_{desk}")
+            button.setDefaultAction(action)
+            button.setAutoRaise(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+            row.addWidget(button)
+        self._lower_buttons()
+        if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
+            bar = window.addToolBar(tr("Desks"))
+            bar.setObjectName("desks")
+            bar.addWidget(self)
+        else:
+            window.menuBar().setCornerWidget(self)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._lower_buttons()
+
+    def _lower_buttons(self) -> None:
+        for button in self.findChildren(QToolButton):
+            button.setMaximumHeight(self.fontMetrics().height() + _ROOM)
+
+
+_DOCK, _DESK = "plots", "judge"
+
+
+class Drawer(QToolButton):
+    """A strip across the foot of the picture while one judges; pulled, the drawer opens or shuts.
+
+    What is torn off is no drawer any more: the handle brings it to the front.
+    """
+
+    def __init__(self, docks: Docks, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("drawerHandle")
+        self._docks, self._dock = docks, docks.by_name[_DOCK]
+        self.setAutoRaise(True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._keys = ""
+        self._dock.visibilityChanged.connect(self._show_state)
+        self.show_for(docks.desk)
+
+    def take_keys(self, action: QAction) -> None:
+        """Show the keys that do the same, whatever they are."""
+        action.changed.connect(lambda: self._take_keys(action))
+        self._take_keys(action)
+
+    def show_for(self, desk: str) -> None:
+        """A desk came into sight."""
+        self.setVisible(desk == _DESK)
+        self._show_state()
+
+    def _take_keys(self, action: QAction) -> None:
+        self._keys = action.shortcut().toString()
+        self._show_state()
+
+    @property
+    def is_open(self) -> bool:
+        """Return whether the plots are in sight, in the drawer or torn off."""
+        return not self._dock.isHidden()
+
+    def _show_state(self) -> None:
+        title = tr("Plots")
+        self.setText(f"{title}  {self._keys}" if self._keys else title)
+        shut = not self.is_open or self._dock.isFloating()
+        self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
+        told = tr("Open the plots below the picture") if shut else tr("Shut the plots")
+        self.setToolTip(told)
+        self.setAccessibleName(told)
