@@ -245,6 +245,16 @@ def shared_data() -> Path:
 
 
 @pytest.fixture(scope="session")
+def world_cup(shared_data) -> list[FrameAnnotation]:
+    """The annotations of World Cup 2014 by the names of their files."""
+    from procc_annotator.field.load import load_field
+    from procc_annotator.formats.annotations.soccernet import read_annotation
+
+    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
+    return [read_annotation(p.read_bytes(), path=str(p), field=load_field()) for p in paths]
+
+
+@pytest.fixture(scope="session")
 def sample_data() -> Path:
     """The project's own drawn frames."""
     return ROOT / "sample_data"

@@ -55,13 +55,6 @@ def test_python_of_the_readme() -> None:
         assert "pan is known to" in printed
 
 
-def test_importing_the_package_loads_next_to_nothing() -> None:
-    loaded = run("-c", "import sys, procc_annotator; print(*sys.modules)").split()
-    assert not {"numpy", "cv2", "PySide6", "procc_annotator.api.evaluation"} & set(loaded)
-    loaded = run("-c", "import sys; from procc_annotator import fit_camera; print(*sys.modules)")
-    assert not {"PySide6", "pyqtgraph"} & set(loaded.split())
-
-
 def test_the_example_goes_on_past_damaged_files(tmp_path) -> None:
     good = (ROOT / "sample_data" / "00002.json").read_bytes()
     for name, content in (("1", b"{"), ("2", good), ("3", b"[]"), ("camera_2", b"{}")):

@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.field.load import load_field
-
 ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -62,29 +60,6 @@ def test_the_wheel_brings_the_guide_and_its_icons(installed) -> None:
     assert icon.is_file()
 
 
-def test_the_wheel_finds_its_field(installed) -> None:
-    code = (
-        "from procc_annotator.field.load import load_field;"
-        "print(len(load_field('soccer').elements))"
-    )
-    found = run(installed, "-c", code)
-    assert found.stdout.strip() == str(len(load_field("soccer").elements)), found.stderr
-
-
-def test_the_wheel_evaluates_the_sample(installed, sample_data) -> None:
-    done = run(
-        installed,
-        "-m",
-        "procc_annotator",
-        "evaluate",
-        str(sample_data),
-        str(sample_data / "cameras" / "true"),
-    )
-    assert done.returncode == 0, done.stderr
-    assert "soccernet" in done.stdout
-    assert "960x540" in done.stdout
-
-
 def test_the_wheel_writes_a_report(installed, sample_data) -> None:
     out = installed.parent / "report.html"
     done = run(
@@ -93,20 +68,6 @@ def test_the_wheel_writes_a_report(installed, sample_data) -> None:
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert "<h2>Definitions</h2>" in out.read_text(encoding="utf-8")
-
-
-def test_the_window_opens_from_the_wheel(installed, sample_data) -> None:
-    code = (
-        "import sys; from pathlib import Path; from PySide6.QtCore import QTimer;"
-        "from PySide6.QtWidgets import QApplication; app = QApplication(sys.argv);"
-        "from procc_annotator.gui.app import build_window;"
-        f"window = build_window(Path({str(sample_data)!r})); window.show();"
-        "QTimer.singleShot(200, app.quit); app.exec(); print('title:', window.windowTitle())"
-    )
-    done = run(installed, "-c", code)
-    assert done.returncode == 0, done.stderr
-    assert "title:" in done.stdout
-    assert "Traceback" not in done.stderr
 
 
 def test_the_wheel_has_the_sample_and_nothing_that_draws_it(installed, sample_data) -> None:

@@ -176,8 +176,6 @@ class BarStack(QWidget):
     @Slot()
     def place(self) -> None:
         """Take the room that the bars need now."""
-        for bar in self._bars:
-            bar.updateGeometry()
         area, column = self._below.geometry(), self._column
         wanted = 0
         if any(not bar.isHidden() for bar in self._bars):

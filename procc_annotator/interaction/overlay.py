@@ -197,6 +197,7 @@ class OverlayContent:
         ellipses: how surely the view shows the landmarks.
         found: of the label check, the surest first; None: it is not asked, and its groups are
             left out.
+        dragged: elements that a held mouse button moves: `dragged_overlay` draws them.
     """
 
     annotation: FrameAnnotation
@@ -218,11 +219,27 @@ class OverlayContent:
     paint: ProjectedField | None = None
     ellipses: tuple[ShownEllipse, ...] = ()
     found: Sequence[StoredFinding] | None = None
+    dragged: frozenset[str] = frozenset()
 
     @property
     def selected_class(self) -> str | None:
         """The selected class, whether chosen itself or by one of its points."""
         return self.selection[0] if isinstance(self.selection, tuple) else self.selection
+
+    @property
+    def verdict(self) -> ScoredFrame:
+        """The criterion on the frame, as far as a camera is shown."""
+        if self.measurement is None or not self.with_projection:
+            return NO_SCORED_FRAME
+        if self.score is None:
+            return unscored_projection(self.measurement, self.picture_size)
+        return scored_frame(self.measurement, self.score, self.picture_size)
+
+    @property
+    def chosen(self) -> frozenset[PointRef]:
+        """All selected points."""
+        single = {self.selection} if isinstance(self.selection, tuple) else ()
+        return self.selected_points.union(single)
 
 
 class OverlayBuilder:
@@ -251,29 +268,29 @@ class OverlayBuilder:
 
     def build(self, shown: OverlayContent) -> Overlay:
         """Draw an annotation and what a camera makes of it."""
-        verdict = NO_SCORED_FRAME
-        if shown.score is not None and shown.measurement is not None and shown.with_projection:
-            verdict = scored_frame(shown.measurement, shown.score, shown.picture_size)
-        elif shown.measurement is not None and shown.with_projection:
-            verdict = unscored_projection(shown.measurement, shown.picture_size)
-        self._draw(shown.annotation, shown.picture_size, shown.other)
+        verdict, annotation = shown.verdict, shown.annotation
+        for name in shown.dragged:
+            annotation = annotation.without(name)
+        self._draw(annotation, shown.picture_size, shown.other)
         by_class = shown.colour_by != "criterion" or not verdict.by_criterion
         strokes = tuple(self._strokes(shown, verdict, by_class))
         marks = tuple(self._marks(shown, verdict, by_class))
         labels: tuple[Labels, ...] = (self._distances(verdict, shown.selected_class),)
         if shown.found is not None:
             looked_at = frozenset((shown.selected_class, shown.highlight))
-            at = found_elements(shown.found, shown.annotation)
+            at = found_elements(shown.found, annotation)
             ring, signs = self._signs(shown.found, at, shown.picture_size, shown.field, looked_at)
             marks, labels = (*marks, ring), (*labels, *signs)
-        carried = self._pointer(shown.field, shown.highlight, shown.draft, shown.pointer)
+        pointer = None if shown.dragged else shown.pointer
+        carried = self._pointer(shown.field, shown.highlight, shown.draft, pointer)
         return Overlay(strokes, marks, (*labels, carried))  # what is carried above everything
 
     def _strokes(
         self, shown: OverlayContent, verdict: ScoredFrame, by_class: bool
     ) -> Iterator[Strokes]:
-        drawn, waiting, looked_at = self._drawn, self._waiting, shown.highlight
-        selected = shown.selected_class
+        drawn, waiting = self._drawn, self._waiting
+        looked_at = None if shown.highlight in shown.dragged else shown.highlight
+        selected = None if shown.selected_class in shown.dragged else shown.selected_class
         score, paint = (shown.score, shown.paint) if shown.with_projection else (None, None)
         yield from self._ellipses(shown.ellipses)
         yield from self._halos(drawn, verdict, looked_at, selected)
@@ -299,10 +316,7 @@ class OverlayBuilder:
             yield from _NO_ORIGINS
         yield from self._unjudged(self._waiting, self._second)
         yield from self._landing(shown.draft, shown.field)
-        chosen = shown.selected_points
-        if isinstance(shown.selection, tuple):
-            chosen |= {shown.selection}
-        yield self._chosen(chosen, drawn, self._waiting)
+        yield self._chosen(shown.chosen, drawn, self._waiting)
 
     def _draw(self, annotation: FrameAnnotation, size: Size, other: FrameAnnotation | None) -> None:
         """Turn the annotation into arrays; the very same ones while it is unchanged."""
@@ -314,6 +328,43 @@ class OverlayBuilder:
         if made_of[1:] != before[1:]:
             self._waiting = Drawn(FrameAnnotation(annotation.unconfirmed), size)
             self._second = Drawn(other if other is not None else _UNKNOWN_AUTHOR, size)
+
+
+def dragged_overlay(shown: OverlayContent) -> Overlay:
+    """Draw the dragged elements, over what `OverlayBuilder` draws of everything else."""
+    verdict, size, names = shown.verdict, shown.picture_size, shown.dragged
+    annotation = FrameAnnotation(
+        tuple([p for p in shown.annotation.polylines if p.class_name in names])
+    )
+    drawn = Drawn(annotation, size)
+    highlight = shown.highlight if shown.highlight in names else None
+    selected = shown.selected_class if shown.selected_class in names else None
+    lines, marks = [], []
+    by_class = shown.colour_by != "criterion" or not verdict.by_criterion
+    for name in drawn.names():
+        line, status = drawn.line(name), verdict.status.get(name)
+        colour: str = tones.UNKNOWN_CLASS
+        dash: tuple[float, ...] = ()
+        if by_class and (element := shown.field.element(name)) is not None:
+            colour = element.colour
+        elif by_class:
+            dash = tones.UNKNOWN_CLASS_DASH
+        elif status is not None:
+            colour, dash = tones.STATUS_COLOURS[status], tones.STATUS_DASHES[status]
+        lines.append(Strokes(line.segments, colour, tones.ANNOTATION_WIDTH, dash, "annotation"))
+        if status is None:
+            marks.append(PointMarks(line.points, "handle", colour, tones.HANDLE_SIZE))
+        elif status == "missed":
+            marks.append(PointMarks(line.points, "ring", tones.MISSED, tones.HANDLE_SIZE))
+    marks.append(_chosen_marks(shown.chosen, drawn, drawn))
+    labels: tuple[Labels, ...] = ()
+    if shown.found is not None:
+        looked_at = frozenset((shown.selected_class, shown.highlight))
+        ring, labels = finding_signs(shown.found, annotation, size, shown.field, looked_at)
+        marks.append(ring)
+    carried = _pointer_label(shown.field, shown.highlight, None, shown.pointer)
+    strokes = [s for s in halos(drawn, verdict, highlight, selected) if len(s.segments)]
+    return Overlay((*strokes, *lines), tuple(marks), (*labels, carried))
 
 
 def _all(make: Callable[P, Iterable[T]]) -> Callable[P, tuple[T, ...]]:

@@ -22,26 +22,19 @@ from procc_annotator.calibration.optimization.residuals import (
 )
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.field.load import load_field
-from procc_annotator.formats.annotations.soccernet import read_annotation
 
 FIELD = load_field("soccer")
 FRAME = ImageFrame((960, 540))
-
-
-@pytest.fixture(scope="module")
-def annotations(shared_data) -> list[FrameAnnotation]:
-    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
-    return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
 
 
 # P knows nothing of the distortion these pictures have, and H of what is off the ground.
 @pytest.mark.parametrize(
     ("model", "least"), [("R", 0.9), ("R+", 0.9), ("auto", 0.9), ("H", 0.85), ("P", 0.8)]
 )
-def test_held_out_points_in_their_bands(benchmark, annotations, model, least) -> None:
+def test_held_out_points_in_their_bands(benchmark, world_cup, model, least) -> None:
     def run() -> dict[str, float]:
         shares: dict[str, list[FloatArray]] = {"clicks": [], "camera": [], "ghost": []}
-        for annotation in annotations:
+        for annotation in world_cup:
             for fit, off in _held_out(annotation, model):
                 both = np.stack([np.ones_like(off.whole[0]), off.whole[0]])
                 for name, covariance, offset in (

@@ -12,7 +12,6 @@ from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import pinhole_residuals
 from procc_annotator.field.load import load_field
-from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -28,19 +27,13 @@ FLOORS = {
 }
 
 
-@pytest.fixture(scope="module")
-def annotations(shared_data) -> list[FrameAnnotation]:
-    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
-    return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
-
-
 @pytest.mark.parametrize("model", FLOORS)
-def test_fit_every_frame(benchmark, annotations, model) -> None:
+def test_fit_every_frame(benchmark, world_cup, model) -> None:
     """JaC of fitted cameras at 2 and 5 px, and processor time of a cold and a warm fit."""
 
     def run() -> tuple[list[tuple[float, float]], list[float], list[float]]:
         jacs, cold, warm = [], [], []
-        for annotation in annotations:
+        for annotation in world_cup:
             used = _planar(annotation) if model == "H" else annotation
             began = time.process_time()
             fit = fit_camera(used, FIELD, model=model)
@@ -66,13 +59,13 @@ def test_fit_every_frame(benchmark, annotations, model) -> None:
 
 
 @pytest.mark.parametrize("model", ["P", "R", "R+", "auto"])
-def test_held_out_elements(benchmark, annotations, model) -> None:
+def test_held_out_elements(benchmark, world_cup, model) -> None:
     """How far the points of elements are off that the fit has not seen, each left out in turn."""
     frame = ImageFrame((960, 540))
 
     def run() -> list[float]:
         means = []
-        for annotation in annotations:
+        for annotation in world_cup:
             start = fit_camera(annotation, FIELD, model=model).camera
             for polyline in annotation:
                 seen = build_observations(FrameAnnotation((polyline,)), FIELD, frame)

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.label_check.candidate_classes import (
     MIRROR_Y,
@@ -22,7 +21,6 @@ from procc_annotator.calibration.label_check.candidate_classes import (
 from procc_annotator.calibration.label_check.check import check_labels
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.field.load import load_field
-from procc_annotator.formats.annotations.soccernet import read_annotation
 
 FIELD = load_field("soccer")
 SIZE = (960, 540)
@@ -35,18 +33,12 @@ FLOORS = {
 }
 
 
-@pytest.fixture(scope="module")
-def annotations(shared_data) -> list[FrameAnnotation]:
-    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
-    return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
-
-
 @pytest.mark.parametrize("kind", FLOORS)
-def test_injected_mistakes(benchmark, annotations, injected_mistakes, kind) -> None:
+def test_injected_mistakes(benchmark, world_cup, injected_mistakes, kind) -> None:
     """Recall, precision, right suggestions, and milliseconds of a check that finds something."""
 
     def run() -> list[Any]:
-        return [injected_mistakes(annotations, kind, seed=seed) for seed in SEEDS]
+        return [injected_mistakes(world_cup, kind, seed=seed) for seed in SEEDS]
 
     for seed, found in zip(SEEDS, benchmark.pedantic(run, rounds=1), strict=True):
         print(
@@ -60,7 +52,7 @@ def test_injected_mistakes(benchmark, annotations, injected_mistakes, kind) -> N
 
 
 @pytest.mark.parametrize("reflected", [False, True])
-def test_whole_frames(benchmark, annotations, reflected) -> None:
+def test_whole_frames(benchmark, world_cup, reflected) -> None:
     """Frames with a finding of each severity, as they are and with far and near exchanged."""
     names = mirrored_names(FIELD, MIRROR_Y) if reflected else {}
     assert names is not None
@@ -69,7 +61,7 @@ def test_whole_frames(benchmark, annotations, reflected) -> None:
 
     def run() -> list[set[str]]:
         severities = []
-        for annotation in annotations:
+        for annotation in world_cup:
             given = relabelled(annotation, names)
             fit = fit_camera(given, FIELD)
             began = time.thread_time()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -15,6 +16,7 @@ import pytest
 import typer
 
 from procc_annotator import __version__
+from procc_annotator.cli import console
 from procc_annotator.cli.main import app
 
 COMMANDS = ("open", "evaluate", "export", "render")
@@ -318,3 +320,56 @@ def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
     assert (old.exit_code, old.stdout) == (new.exit_code, new.stdout)
     assert "--least is deprecated, use --min-severity" in old.stderr
     assert "deprecated" not in new.stderr
+
+
+def test_help_does_not_load_arrays_or_pictures() -> None:
+    code = (
+        "import sys\n"
+        "from procc_annotator.cli.main import run\n"
+        "sys.argv = ['procc-annotator', '--version']\n"
+        "try:\n    run()\nexcept SystemExit:\n    pass\n"
+        "heavy = [m for m in ('numpy', 'cv2', 'PySide6') if m in sys.modules]\n"
+        "print('heavy:', heavy)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert "heavy: []" in done.stdout, done.stdout + done.stderr
+
+
+# Whoever reads only the first lines of what a command prints has all its files.
+
+
+class ReaderLeft(Exception):
+    """In place of a broken pipe, at which the command lets go of the process's own stdout."""
+
+
+@pytest.fixture
+def nobody_reads(monkeypatch) -> None:
+    def broken(*args: object) -> None:
+        raise ReaderLeft
+
+    monkeypatch.setattr(console._Console, "_write", broken)
+
+
+def test_the_comparison_is_written(cli, dataset, tmp_path, nobody_reads) -> None:
+    cameras, out, pictures = dataset.root / "cameras", tmp_path / "c.json", tmp_path / "pictures"
+    with pytest.raises(ReaderLeft):
+        cli("compare", f"a={cameras}", f"b={cameras}", "-o", out, "--pictures", pictures)
+    assert json.loads(out.read_text())
+    assert list(pictures.iterdir())
+
+
+def test_the_figures_over_time_are_written(cli, dataset, tmp_path, nobody_reads) -> None:
+    out, shots = tmp_path / "t.json", tmp_path / "shots.csv"
+    shots.write_text("frame,shot\n" + "".join(f"{name},one\n" for name in dataset.pans))
+    with pytest.raises(ReaderLeft):
+        cli("evaluate", dataset.root, dataset.root / "cameras", "--over-time", "--shots", shots,
+            "--over-time-output", out)  # fmt: skip
+    assert json.loads(out.read_text())
+
+
+def test_the_dimensions_are_kept(cli, dataset, tmp_path, nobody_reads) -> None:
+    match = tmp_path / "alone"
+    shutil.copytree(dataset.annotations, match)
+    with pytest.raises(ReaderLeft):
+        cli("field-size", match, "--save")
+    assert (match / ".procc").exists()

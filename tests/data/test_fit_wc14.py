@@ -8,21 +8,12 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.field.load import load_field
-from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD, off_plane="left_out")
-
-
-@pytest.fixture(scope="module")
-def annotations(shared_data) -> list[FrameAnnotation]:
-    return [
-        read_annotation(path.read_bytes(), path=str(path), field=FIELD)
-        for path in sorted((shared_data / "wc14" / "annotations").glob("*.json"))
-    ]
 
 
 def on_the_ground(annotation: FrameAnnotation) -> FrameAnnotation:
@@ -35,8 +26,7 @@ def on_the_ground(annotation: FrameAnnotation) -> FrameAnnotation:
     )
 
 
-# In `make soak` every frame with the usual model; a third of them with the others, whose floors on
-# the whole set are those of `tests/bench/test_fit.py`.
+# Floors on the whole set are those of `tests/bench/test_fit.py`.
 @pytest.mark.parametrize(
     ("model", "frames", "at_2", "at_5"),
     [
@@ -45,16 +35,11 @@ def on_the_ground(annotation: FrameAnnotation) -> FrameAnnotation:
         ("P", slice(1, None, 18), 0.60, 0.92),
         ("R+", slice(1, None, 9), 0.95, 0.98),
         ("auto", slice(0, None, 24), 0.92, 0.96),
-        pytest.param("R", slice(None), 0.90, 0.975, marks=pytest.mark.soak),
-        pytest.param("H", slice(0, None, 3), 0.72, 0.93, marks=pytest.mark.soak),
-        pytest.param("P", slice(0, None, 3), 0.60, 0.92, marks=pytest.mark.soak),
-        pytest.param("R+", slice(None), 0.95, 0.98, marks=pytest.mark.soak),
-        pytest.param("auto", slice(0, None, 6), 0.92, 0.96, marks=pytest.mark.soak),
     ],
 )
-def test_jac_and_completeness(annotations, model, frames, at_2, at_5) -> None:
+def test_jac_and_completeness(world_cup, model, frames, at_2, at_5) -> None:
     jacs = []
-    for annotation in annotations[frames]:
+    for annotation in world_cup[frames]:
         used = on_the_ground(annotation) if model == "H" else annotation
         fit = fit_camera(used, FIELD, model=model)
         assert fit.failure is None
@@ -68,10 +53,10 @@ def test_jac_and_completeness(annotations, model, frames, at_2, at_5) -> None:
 @pytest.mark.parametrize(
     ("every", "enough"), [(60, 20), pytest.param(10, 130, marks=pytest.mark.soak)]
 )
-def test_held_out_elements(annotations, every, enough) -> None:
+def test_held_out_elements(world_cup, every, enough) -> None:
     """Some frames, every element left out in turn (all frames: 1.0 px)."""
     means: list[float] = []
-    for annotation in annotations[::every]:
+    for annotation in world_cup[::every]:
         whole = fit_camera(annotation, FIELD)
         for polyline in annotation:
             fit = fit_camera(annotation.without(polyline.class_name), FIELD, start=whole.camera)
@@ -88,10 +73,10 @@ def test_held_out_elements(annotations, every, enough) -> None:
 @pytest.mark.parametrize(
     ("every", "enough"), [(72, 15), pytest.param(24, 50, marks=pytest.mark.soak)]
 )
-def test_the_chosen_model_predicts_no_worse(annotations, every, enough) -> None:
+def test_the_chosen_model_predicts_no_worse(world_cup, every, enough) -> None:
     """Some frames, every element left out in turn: the choice does not overfit."""
     means: dict[str, list[float]] = {"R": [], "auto": []}
-    for annotation in annotations[::every]:
+    for annotation in world_cup[::every]:
         starts = {model: fit_camera(annotation, FIELD, model=model).camera for model in means}
         for polyline in annotation:
             rest = annotation.without(polyline.class_name)
@@ -109,11 +94,11 @@ def test_the_chosen_model_predicts_no_worse(annotations, every, enough) -> None:
 
 
 @pytest.mark.parametrize(("every", "enough"), [(8, 8), pytest.param(2, 30, marks=pytest.mark.soak)])
-def test_predicted_deviations_gate_predictions(annotations, every, enough) -> None:
+def test_predicted_deviations_gate_predictions(world_cup, every, enough) -> None:
     """Where the fit to 5 random elements promises 2.5 px, a held-out element is within 5 px."""
     rng = np.random.default_rng(2)
     kept_promises = []
-    for annotation in annotations[::every]:
+    for annotation in world_cup[::every]:
         names = list(annotation.annotated)
         if len(names) < 7:
             continue

@@ -33,7 +33,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames import frames_panel, model, thumbnails
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import background, review_state, visible_update
-from procc_annotator.gui.state.checking import check_queue, line_pixels
+from procc_annotator.gui.state.checking import line_pixels, runner
 from procc_annotator.gui.state.checking.line_pixels import Evidence
 from procc_annotator.gui.state.prediction import live_fit, proposals
 from procc_annotator.gui.theme import PlainTextStyle
@@ -91,7 +91,7 @@ def hurried(lean: None) -> Iterator[None]:
 
 
 _WAITS_FOR_A_HAND = (
-    (check_queue, "_PATIENCE_MS"),
+    (runner, "_DELAY_MS"),
     (field_dimensions, "_SETTLED_MS"),
     (model, "_SOON_MS"),
     (live_fit, "_STAYED_MS"),

@@ -37,7 +37,6 @@ from procc_annotator import (
     propose_camera,
     track,
 )
-from procc_annotator.annotation import Point
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import AnnotationError, ProccError
 from procc_annotator.field.load import load_field
@@ -49,31 +48,6 @@ from tests.drawn_shots import soccer_shot
 SAMPLES = Path(__file__).parents[2] / "sample_data"
 FRAME = SAMPLES / "00002.json"
 CAMERA = SAMPLES / "cameras" / "bad" / "camera_00002.json"
-
-
-def test_a_frame_is_read_as_it_is_in_the_file() -> None:
-    annotation = load_annotation(FRAME)
-    content = json.loads(FRAME.read_text())
-    assert [p.class_name for p in annotation] == list(content)
-    first = annotation.polylines[0]
-    assert [(p.u, p.v) for p in first.points] == [
-        (p["x"], p["y"]) for p in content[first.class_name]
-    ]
-    assert load_annotation(str(FRAME)) == annotation
-
-
-def test_other_formats_are_read_too(tmp_path) -> None:
-    shape = {
-        "label": "Middle line", "shape_type": "linestrip", "points": [[0, 269.5], [959, 539]],
-        "group_id": None, "flags": {},
-    }  # fmt: skip
-    content = {
-        "version": "5.0.0", "flags": {}, "shapes": [shape], "imagePath": "7.jpg", "imageData": None,
-        "imageWidth": 960, "imageHeight": 540,
-    }  # fmt: skip
-    (tmp_path / "7.json").write_text(json.dumps(content))
-    (line,) = load_annotation(tmp_path / "7.json")
-    assert [(p.u, p.v) for p in line.points] == [(0.0, 0.5), (1.0, 1.0)]
 
 
 def test_anything_but_one_readable_frame_is_declined(tmp_path) -> None:
@@ -131,20 +105,6 @@ def test_labels_of_the_turned_field_count_where_they_are_allowed() -> None:
     found = evaluate(annotation, turned, protocol="procc", allow_mirrored=True)
     assert (found.jac, found.mirrored) == (1.0, True)
     assert evaluate(annotation, turned).mirrored  # as the official evaluation does anyway
-
-
-def test_the_field_can_be_another_one() -> None:
-    annotation, small = load_annotation(FRAME), load_field("soccer", length=100.0, width=64.0)
-    right, wrong = fit_camera(annotation), fit_camera(annotation, small)
-    assert right.mean_px < wrong.mean_px
-    assert evaluate(annotation, wrong.camera, field=small, tau=2).tp < 12
-
-
-def test_the_package_offers_just_these() -> None:
-    for name in procc_annotator.__all__:
-        assert getattr(procc_annotator, name) is not None
-    with pytest.raises(AttributeError, match="no attribute 'fit_cameras'"):
-        procc_annotator.fit_cameras  # noqa: B018
 
 
 def test_a_fit_brings_its_picture_size_along() -> None:
@@ -219,13 +179,6 @@ def test_coordinates_in_pixels_are_told(tmp_path) -> None:
         fit = fit_camera(annotation, model=model)
         assert fit.camera is None
         assert "look like pixels" in fit.failure
-
-
-def test_a_few_points_far_outside_are_no_pixels() -> None:
-    annotation = load_annotation(FRAME)
-    first = annotation.polylines[0]
-    far = replace(first, points=(*first.points, Point(-3.0, 0.5), Point(4.0, 2.5)))
-    assert fit_camera(annotation.with_polyline(far)).failure is None
 
 
 def test_a_camera_is_found_in_a_picture_and_followed() -> None:

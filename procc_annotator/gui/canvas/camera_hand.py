@@ -376,6 +376,7 @@ class CameraHand(QObject):
             under = self._shown_under()
             overlay = build_camera_handles(self._lines(), places, under, pressed=self.dragging)
         self.item.set_overlay(overlay, self._view.view_scale, everywhere=moving)
+        self.item.setVisible(overlay is not EMPTY_OVERLAY)
 
     def _lines(self) -> FloatArray:
         """The wireframe, (N, 4) px; none while no modifier is held."""

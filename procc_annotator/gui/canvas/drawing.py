@@ -64,6 +64,7 @@ class OverlayDrawing(QObject):
         self.colour_by: ColourBy = "criterion"
         self.count = 0
         self._hidden_by_action = self._hidden_by_key = False
+        self._dragged = frozenset[str]()  # elements that are drawn apart
         self._due = False  # once all that changed was told
         self._everywhere = False  # not only where the overlay differs
         self._soon = after_paint(self, self.refresh)
@@ -72,7 +73,7 @@ class OverlayDrawing(QObject):
     def _listen(self) -> None:
         document = self._document
         self._hand.changed.connect(self._refresh_ghosts)
-        document.store.watch(lambda s: s.preview, self._carry, When.GESTURE)
+        document.store.watch(lambda s: s.preview, self._follow_preview, When.GESTURE)
         document.store.watch(
             lambda s: (select.score(s), s.selection, s.hovered_class, select.mode(s)),
             self._follow_state,
@@ -164,33 +165,51 @@ class OverlayDrawing(QObject):
         comparison.refresh(hidden=self.hidden)
         self._maps.set_hidden(self.hidden)
         self._legend.show_for(self.colour_by, bare=self.hidden)
-        overlay = other = EMPTY_OVERLAY
+        overlay = other = dragged = EMPTY_OVERLAY
+        self._dragged = self._find_dragged()
         if not self.hidden:
             terms = self._cursor(), self.colour_by
-            overlay = self._layer.overlay(comparison.judged, *terms, looking=looking)
+            overlay = self._layer.overlay(
+                comparison.judged, *terms, looking=looking, dragged=self._dragged
+            )
+            if self._dragged:
+                dragged = self._layer.dragged(self._cursor())
             if comparison.split.shown:
                 right = comparison.judged_right
                 other = self._other_layer.overlay(right, *terms, looking=looking)
         self._item.set_overlay(overlay, scale, everywhere=everywhere)
+        self._item.set_dragged(dragged, scale)
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
         self._draw_ghosts()
         self._hand.refresh(hidden=self.hidden)
         self.drawn.emit()
         self.told.emit()
 
-    def _carry(self) -> None:
-        """Draw what the user drags; nothing else that is drawn follows from that."""
-        comparison = self._comparison
-        if self._document.state.preview is None:  # dropped; drawn already if it became an edit
+    def _follow_preview(self) -> None:
+        """Draw the dragged elements; everything else, and what a camera makes of them, after the
+        paint."""
+        dragged = self._find_dragged()
+        if not dragged or dragged != self._dragged:
             self.refresh()
             return
-        if self.hidden or comparison.split.shown or comparison.looking:
-            self.refresh()  # the names of sources, with their scores
-            return
         self.count += 1
-        overlay = self._layer.overlay(comparison.judged, self._cursor(), self.colour_by)
-        self._item.set_overlay(overlay, self._view.view_scale)
+        self._item.set_dragged(self._layer.dragged(self._cursor()), self._view.view_scale)
+        if self._document.state.active is not None:
+            self._soon.start()
         self.drawn.emit()
+
+    def _find_dragged(self) -> frozenset[str]:
+        """Return the elements that are drawn apart, above everything, while the mouse moves them.
+
+        Two sides show them twice, and points by origin are drawn by those that exist.
+        """
+        state, comparison = self._document.state, self._comparison
+        if state.preview is None or self.hidden or self.colour_by in BY_ORIGIN:
+            return frozenset()
+        if comparison.divided or comparison.looking:
+            return frozenset()
+        same = set(map(id, state.annotation.polylines))
+        return frozenset([p.class_name for p in state.preview.polylines if id(p) not in same])
 
     def _refresh_ghosts(self) -> None:
         if not self._due:

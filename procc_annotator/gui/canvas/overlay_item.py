@@ -97,9 +97,11 @@ class OverlayItem(QGraphicsItem):
         self.overlay = EMPTY_OVERLAY
         self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and what is in hand
         self.ghosts = EMPTY_OVERLAY  # below everything
+        self.dragged = EMPTY_OVERLAY  # above everything, and nothing below it changes meanwhile
         self._layers: tuple[Overlay, ...] | None = None
         self._still_ghosts = StillOverlay()
         self._still = StillOverlay()
+        self._still_below_dragged = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
         self._painted_at: _Seen | None = None
@@ -123,8 +125,11 @@ class OverlayItem(QGraphicsItem):
         changed = changed_areas(self.overlay, overlay, scale)
         changed += self._given_way(self.overlay.labels, overlay.labels)
         self.overlay, self._layers = overlay, None
+        self._update_areas(changed)
+
+    def _update_areas(self, areas: list[QRectF]) -> None:
         scene = self.scene()
-        for area in changed:  # Qt would unite those of an item
+        for area in areas:  # Qt would unite those of an item
             if scene is not None:
                 scene.update(area & self._area)
 
@@ -140,6 +145,16 @@ class OverlayItem(QGraphicsItem):
             area = _whole_area(self.ghosts, scale) | _whole_area(ghosts, scale)
             self.ghosts, self._layers = ghosts, None
             self.update(area & self._area)
+
+    def set_dragged(self, dragged: Overlay, scale: float) -> None:
+        """Show what a held mouse button moves, or nothing; ``scale`` as for `set_overlay`."""
+        if dragged is self.dragged:
+            return
+        changed = changed_areas(self.dragged, dragged, scale)
+        self.dragged, self._layers = dragged, None
+        if dragged is EMPTY_OVERLAY:
+            self._still_below_dragged = StillOverlay()
+        self._update_areas(changed)
 
     def place_labels(self) -> None:
         """View or side changed: texts may have to lie elsewhere next to their points.
@@ -192,11 +207,17 @@ class OverlayItem(QGraphicsItem):
         scale, offset = world.m11(), (world.dx(), world.dy())
         seen = self._room(room)
         self._painted_at = _Seen(QTransform(world), seen)
-        for layer in self.layers:
+        layers = self.layers
+        if self.dragged is not EMPTY_OVERLAY:
+            self._still_below_dragged.paint(
+                painter, layers[:-1], scale=scale, offset=offset, clip=clip, room=room, seen=seen
+            )
+            layers = layers[-1:]
+        for layer in layers:
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still
                 still.paint(
-                    painter, layer, scale=scale, offset=offset, clip=clip, room=room, seen=seen
+                    painter, (layer,), scale=scale, offset=offset, clip=clip, room=room, seen=seen
                 )
             else:
                 paint_overlay(
@@ -211,7 +232,7 @@ class OverlayItem(QGraphicsItem):
             below, above = self.overlay, EMPTY_OVERLAY
             if self.wireframes.strokes:
                 below, above = split_layers(self.overlay)
-            every = self.ghosts, below, self.wireframes, above
+            every = self.ghosts, below, self.wireframes, above, self.dragged
             self._layers = tuple(layer for layer in every if layer is not EMPTY_OVERLAY)
         return self._layers
 
@@ -231,6 +252,7 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     point = 1.0 / scale
     areas: list[QRectF] = []
     looked_at: set[tuple[int, int]] = set()  # lines of several looks, one over the other
+    times = text_times()
     groups = chain(zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks))
     for was, now in [(was, now) for was, now in groups if was is not now]:
         if _seen(was) or _seen(now):
@@ -242,7 +264,7 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     for labels, after in zip_longest(old.labels, new.labels):
         if labels is not after:
             for place, text, _ in _texts(labels) ^ _texts(after):
-                _add(areas, _reach_of_label(place, text, point))
+                _add(areas, _reach_of_label(place, text, point, times))
     return areas
 
 
@@ -303,7 +325,7 @@ def _whole_area(overlay: Overlay, scale: float) -> QRectF:
     area = _bounds(places, _NO_PLACES, _MARGIN * point)
     for labels in overlay.labels:
         for place, text, _ in _texts(labels):
-            area |= _reach_of_label(place, text, point)
+            area |= _reach_of_label(place, text, point, text_times())
     return area
 
 
@@ -331,15 +353,17 @@ def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
     return QRectF(left + 0.5, top + 0.5, right - left, bottom - top)
 
 
-def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:
-    """Return where a text may lie around its point, scene coordinates; ``point`` in picture px."""
+def _reach_of_label(place: Sequence[float], text: str, point: float, times: float) -> QRectF:
+    """Return the bounds of a text around its point, scene coordinates.
+
+    Args:
+        place: of the point, picture px.
+        point: picture px.
+        times: the size of texts relative to the usual one.
+    """
     x, y = place
-    reach, above, below = (points * point for points in _reach(text))
-    return QRectF(x - reach, y - above, 2 * reach, above + below)
-
-
-def _reach(text: str) -> tuple[float, float, float]:
-    """Return how far a text may reach aside, above and below its point, points."""
-    times = text_times()
     letter = _LETTER if text.isascii() else _WIDE_LETTER
-    return (len(text) * letter + _SIGNS) * times + 20, _ABOVE * times, _BELOW * times
+    reach = ((len(text) * letter + _SIGNS) * times + 20) * point
+    return QRectF(
+        x - reach, y - _ABOVE * times * point, 2 * reach, (_ABOVE + _BELOW) * times * point
+    )

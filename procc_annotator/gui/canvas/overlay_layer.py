@@ -15,6 +15,7 @@ from procc_annotator.interaction.overlay import (
     LastCallCache,
     OverlayBuilder,
     OverlayContent,
+    dragged_overlay,
 )
 from procc_annotator.interaction.overlay_lines import evidence_strips
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, Overlay
@@ -35,7 +36,13 @@ class OverlayLayer:
         self._with_strips = LastCallCache(_with_strips)
 
     def overlay(
-        self, judged: Judged, cursor_px: XY | None, colour_by: ColourBy, *, looking: bool = True
+        self,
+        judged: Judged,
+        cursor_px: XY | None,
+        colour_by: ColourBy,
+        *,
+        looking: bool = True,
+        dragged: frozenset[str] = frozenset(),
     ) -> Overlay:
         """Return what to draw; the same object as long as nothing changed.
 
@@ -44,6 +51,7 @@ class OverlayLayer:
             cursor_px: the mouse, picture px.
             colour_by: see `OverlayContent`.
             looking: whether to look in the picture where a click would be put.
+            dragged: elements that are drawn by `dragged`.
         """
         document, size = self._document, self._document.state.picture_size
         if size is None:
@@ -70,11 +78,20 @@ class OverlayLayer:
             paint=document.painted_width.value if judged[0] is document.judge.measurement else None,
             ellipses=tuple(document.landmarks.ellipses),
             found=document.label_check.shown,
+            dragged=dragged,
         )
+        self._content = shown
+        if dragged:  # what is below them is the same whatever becomes of them
+            shown = replace(shown, annotation=document.state.annotation, pointer=None)
         # Of points by their origin more may be known meanwhile, without a sign.
         overlay = self._builder.build(shown) if by_origin else self._remembered(shown)
         seen = document.paint_watch.value if document.paint_watch.shown else None
         return overlay if seen is None else self._with_strips(overlay, seen)
+
+    def dragged(self, cursor_px: XY | None) -> Overlay:
+        """Return the dragged elements where they are now, with all else as `overlay` drew it."""
+        annotation = self._document.state.shown_annotation
+        return dragged_overlay(replace(self._content, annotation=annotation, pointer=cursor_px))
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
         frame = self._document.state.frame

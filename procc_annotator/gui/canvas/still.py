@@ -1,4 +1,4 @@
-"""Painting what seldom changes: anew while the view moves, from a picture of it when it rests."""
+"""Painting overlays that seldom change: from a pixmap of them while the view rests."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from procc_annotator.interaction.overlay_primitives import Overlay
 
 
 class StillOverlay:
-    """An overlay that is painted again and again at the same place, under something that moves.
+    """Overlays that are painted repeatedly at the same place, under something that moves.
 
     The first time at a place it is painted line by line; the second time into a picture of the
     whole view, which from then on costs next to nothing.
@@ -24,7 +24,7 @@ class StillOverlay:
     def paint(
         self,
         painter: QPainter,
-        overlay: Overlay,
+        layers: tuple[Overlay, ...],
         *,
         scale: float,
         offset: tuple[float, float],
@@ -32,23 +32,24 @@ class StillOverlay:
         room: QSize,
         seen: QRectF | None = None,
     ) -> None:
-        """Paint an overlay.
+        """Paint overlays, the first one lowest.
 
         Args:
             painter: in coordinates of the view.
-            overlay, scale, offset, clip: as for `paint_overlay`.
+            layers, scale, offset, clip: as for `paint_overlay`.
             room: size of the view.
             seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
         """
         ratio = painter.device().devicePixelRatioF()
         times = text_times()
-        asked = overlay, scale, offset, room, seen, ratio, times
+        asked = layers, scale, offset, room, seen, ratio, times
         if asked != self._painted:
             self._painted, self._picture = asked, None
-            paint_overlay(
-                painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
-                text_times=times,
-            )  # fmt: skip
+            for overlay in layers:
+                paint_overlay(
+                    painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
+                    text_times=times,
+                )  # fmt: skip
             return
         if self._picture is None:
             self._picture = QPixmap(room * ratio)
@@ -56,9 +57,11 @@ class StillOverlay:
             self._picture.fill(Qt.GlobalColor.transparent)
             own = QPainter(self._picture)
             whole = QRectF(0, 0, room.width(), room.height())
-            paint_overlay(
-                own, overlay, scale=scale, offset=offset, clip=whole, room=seen, text_times=times
-            )
+            for overlay in layers:
+                paint_overlay(
+                    own, overlay, scale=scale, offset=offset, clip=whole, room=seen,
+                    text_times=times,
+                )  # fmt: skip
             own.end()
         painter.save()
         painter.setClipRect(clip, Qt.ClipOperation.IntersectClip)

@@ -30,10 +30,10 @@ class When(Enum):
     AFTER_PAINT = auto()  # once for all changes, after the next paint
 
 
-_DUE = {
-    When.GESTURE: {When.GESTURE},
-    When.NOW: {When.GESTURE, When.NOW},
-    When.AFTER_PAINT: set(When),
+_DUE = {  # tuples: members are looked up by identity
+    When.GESTURE: (When.GESTURE,),
+    When.NOW: (When.GESTURE, When.NOW),
+    When.AFTER_PAINT: tuple(When),
 }
 
 
@@ -193,8 +193,9 @@ class Store(QObject):
         state = self._notified = self._state
         if when is not When.GESTURE:
             self._only_gesture = True
+        due = _DUE[when]
         with ExitStack() as each:
-            for watch in reversed([w for w in self._watches if w.when in _DUE[when]]):
+            for watch in reversed([w for w in self._watches if w.when in due]):
                 if watch.differs(state):
                     each.callback(self._check, watch)
 

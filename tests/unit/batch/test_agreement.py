@@ -202,17 +202,6 @@ def test_the_noise_of_a_copy_is_its_noise_floor(real, tmp_path, sigma) -> None:
         assert found.per_class[name].median == pytest.approx(0.674 * sigma, rel=0.12)
 
 
-def test_clicks_left_out_of_a_curve_leave_it_where_it_is(real, tmp_path) -> None:
-    def every_other(_name: str, content: dict[str, Any]) -> dict[str, Any]:
-        return {k: v[::2] if len(v) >= 10 else v for k, v in content.items()}
-
-    compared = run(real, copied(real, tmp_path / "b", every_other))
-    circles = [
-        f for n, f in summary(compared, list(compared)).per_class.items() if n.startswith("Circle")
-    ]
-    assert all(f.p95 < 2.0 for f in circles)  # chords would be off by the clicks' sagitta
-
-
 def test_deleted_elements_and_files_are_counted(real, tmp_path) -> None:
     gone = tuple(sorted((path.stem for path in real.iterdir()), key=int)[:3])
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import sqlite3
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -18,16 +16,10 @@ from procc_annotator.batch.triage import (
     worst_frames_first,
 )
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.database.database import WorkspaceDatabase
-from procc_annotator.dataset.database.schema import MIGRATIONS, stored
 from procc_annotator.dataset.filter_query import FrameFacts, parse_query
 from procc_annotator.dataset.records import (
     FaultParty,
-    Status,
     Verdict,
-    path_of,
-    place_by_name,
-    place_of,
 )
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
@@ -41,146 +33,6 @@ from procc_annotator.report.window_tables import verdicts_csv
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)
 BAD = "auto:cameras/bad"
-Open = Callable[[], WorkspaceDatabase]
-
-
-@pytest.fixture
-def opened(tmp_path) -> Iterator[Open]:
-    held: list[WorkspaceDatabase] = []
-
-    def open_() -> WorkspaceDatabase:
-        held.append(WorkspaceDatabase.open(tmp_path, "Anna"))
-        return held[-1]
-
-    yield open_
-    for one in held:
-        one.close()
-
-
-class TestDatabase:
-    def test_verdicts_are_there_again(self, opened) -> None:
-        database = opened()
-        database.set_verdict("f1", "NBJW", FaultParty.CAMERA, "the roll is off")
-        database.set_verdict("f1", "CARWC", FaultParty.FINE)
-        database.set_verdict("f\udcff2", "NBJW", FaultParty.ANNOTATION)
-        database.set_verdict("f3", "NBJW", FaultParty.FINE)
-        database.set_verdict("f3", "NBJW", None)
-        database.close()
-        again = opened()
-        first = again.verdicts("f1")
-        assert first[place_by_name("NBJW")].fault is FaultParty.CAMERA
-        assert first[place_by_name("NBJW")].comment == "the roll is off"
-        assert first[place_by_name("NBJW")].author == "Anna"
-        assert first[place_by_name("CARWC")].fault is FaultParty.FINE
-        assert set(again.all_verdicts()) == {"f1", "f\udcff2"}
-
-    def test_another_window_sees_them_and_that_they_are_gone(self, opened) -> None:
-        mine, theirs = opened(), opened()
-        mine.set_verdict("f1", "NBJW", FaultParty.CAMERA)
-        assert mine.flush()
-        assert "f1" in theirs.reload()
-        assert theirs.verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.CAMERA
-        mine.set_verdict("f1", "NBJW", None)
-        assert mine.flush()
-        assert "f1" in theirs.reload()
-        assert not theirs.verdicts("f1")
-
-    def test_a_database_of_the_version_before_goes_on(self, tmp_path, opened) -> None:
-        database = opened()
-        database.set_status("f1", Status.DONE)
-        database.add_comment("f1", "left goal")
-        database.close()
-        path = tmp_path / ".procc" / "workspace.db"
-        with sqlite3.connect(path) as older:  # as it was before there were verdicts
-            older.execute("DROP TABLE source_verdict")
-            older.execute("DROP TABLE not_visible")
-            older.execute("PRAGMA user_version = 1")
-        older.close()
-        assert len(MIGRATIONS) == 4
-        again = opened()
-        assert again.notices == ()
-        assert again.record("f1").status is Status.DONE
-        assert [c.text for c in again.comments("f1")] == ["left goal"]
-        again.set_verdict("f1", "NBJW", FaultParty.ANNOTATION)
-        again.close()
-        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.ANNOTATION
-
-    def test_verdicts_by_name_of_the_version_before_go_on(self, tmp_path, opened) -> None:
-        opened().close()
-        self.make_older(tmp_path / ".procc" / "workspace.db")
-        again = opened()
-        assert again.notices == ()
-        assert again.verdicts("f1")[place_by_name("NBJW")].source == "NBJW"
-        assert again.verdicts("f2")[place_by_name("N\udcff")].fault is FaultParty.FINE
-
-    def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(
-        self, tmp_path, opened
-    ) -> None:
-        opened().close()
-        path = tmp_path / ".procc" / "workspace.db"
-        self.make_older(path)
-        with sqlite3.connect(path) as damaged:
-            damaged.execute("DROP TABLE draft")
-        damaged.close()
-        again = opened()
-        assert "set aside" in again.notices[0]
-        assert again.verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.CAMERA
-
-    @staticmethod
-    def make_older(path: Path) -> None:
-        """As it was before sources were known by their places."""
-        with sqlite3.connect(path) as older:
-            older.execute("DROP TABLE source_verdict")
-            older.execute("DROP TABLE not_visible")
-            for statement in MIGRATIONS[1]:
-                older.execute(statement)
-            for frame, source, fault in (("f1", "NBJW", "camera"), ("f2", "N\udcff", "fine")):
-                row = (frame, stored(source), fault)
-                older.execute("INSERT INTO verdict VALUES(?, ?, ?, 'Anna', 1.5, '')", row)
-            older.execute("PRAGMA user_version = 2")
-        older.close()
-
-    def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened) -> None:
-        mine, theirs = opened(), opened()
-        mine.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
-        mine.set_verdict("f2", "bad", FaultParty.FINE, place="auto:elsewhere/bad")
-        mine.set_verdict("f3", "bad", FaultParty.FINE, "from before")  # only the name is known
-        mine.rename_source(BAD, "bad", "vendor X")
-        assert mine.flush()
-        theirs.reload()
-        mine.close()
-        for database in (mine, theirs, opened()):
-            assert database.verdicts("f1")[BAD].source == "vendor X"
-            assert database.verdicts("f2")["auto:elsewhere/bad"].source == "bad"
-            (moved,) = database.verdicts("f3").values()
-            assert (moved.source, moved.place, moved.comment) == ("vendor X", BAD, "from before")
-
-    def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened) -> None:
-        database = opened()
-        database.set_verdict("f1", "bad", FaultParty.FINE)
-        database.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
-        assert [v.fault for v in database.verdicts("f1").values()] == [FaultParty.CAMERA]
-
-    def test_places(self, tmp_path) -> None:
-        dataset = tmp_path / "set" / "images"
-        for path, place in (
-            (dataset / "cameras" / "bad", "auto:cameras/bad"),
-            (dataset.parent / "cameras", "auto:../cameras"),
-            (tmp_path / "bad", f"auto:{(tmp_path / 'bad').resolve().as_posix()}"),
-        ):
-            assert place_of(path, "auto", dataset) == place
-            assert path_of(place) == place.removeprefix("auto:")
-        assert path_of(place_by_name("bad")) == ""
-
-    def test_they_are_written_into_a_file_begun_anew(self, tmp_path, opened) -> None:
-        database = opened()
-        database.set_verdict("f1", "NBJW", FaultParty.CAMERA)
-        assert database.flush()
-        (tmp_path / ".procc" / "workspace.db").unlink()
-        database.set_status("f2", Status.DONE)
-        assert database.flush()
-        database.close()
-        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.CAMERA
 
 
 class TestFilter:

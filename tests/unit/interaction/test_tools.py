@@ -288,14 +288,6 @@ class TestDraggingBack:
 
 
 class TestHitting:
-    @pytest.mark.parametrize("scale", [0.25, 1.0, 8.0, 64.0])
-    def test_the_radius_is_ten_pixels_of_the_screen(self, scale) -> None:
-        near = (100 - 9.9 / scale, 100.0)
-        far = (100 - 10.1 / scale, 100.0)
-        hit = hit_test(LINE, SIZE, near, scale)
-        assert (hit.kind, hit.index) == ("point", 0)
-        assert hit_test(LINE, SIZE, far, scale) is None
-
     def test_points_win_over_segments_and_the_selected_class_over_others(self) -> None:
         hit = hit_test(LINE, SIZE, (108, 100), 1.0)
         assert hit.kind == "point"
@@ -305,32 +297,10 @@ class TestHitting:
             assert hit.class_name == name
 
 
-@given(x=st.floats(-50, 1400), y=st.floats(-50, 800))
-def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x, y) -> None:
-    hit = hit_test(LINE, SIZE, (x, y), 0.001)
-    away = np.hypot(hit.foot[0] - x, hit.foot[1] - y) * 0.001
-    assert away == pytest.approx(hit.distance_screen, abs=1e-6)
-
-
 class TestHints:
     def say(self, mode: str, context: ToolContext | None, **options: object) -> str:
         draw, edit = options.pop("draw", DrawTool()), options.pop("edit", EditTool())
         return status_hint(mode, draw, edit, context, FIELD, **options)
-
-    def test_every_state_says_what_comes_next(self) -> None:
-        empty = ToolContext(FrameAnnotation(), SIZE)
-        assert "Drop a folder" in self.say("draw", None)
-        assert "choose an element" in self.say("draw", empty)
-        chosen = replace(empty, selected_class="Circle left")
-        assert "click begins it" in self.say("draw", chosen)
-        again = ToolContext(LINE, SIZE, 1.0, "Middle line", continues=True)
-        assert "click continues it" in self.say("draw", again)
-        drawing = DrawTool("Circle left", [(1, 1), (2, 2)])
-        text = self.say("draw", chosen, draw=drawing)
-        for part in ("2 points", "click adds", "Enter or double-click finishes", "Esc cancels"):
-            assert part in text
-        assert "READ ONLY" in self.say("edit", empty, blocked="1.json: is empty")
-        assert "Ctrl+Enter commits" in self.say("draw", empty, blind=True)
 
     def test_editing_names_what_is_under_the_cursor(self) -> None:
         context = ToolContext(LINE, SIZE)
@@ -459,25 +429,8 @@ def test_the_selected_class_out_of_reach_does_not_hide_another_in_reach() -> Non
     assert hit.class_name == "near"
 
 
-def test_nothing_lies_between_two_polylines() -> None:
-    annotation = FrameAnnotation(
-        (
-            Polyline("left", (point_from_px(0, 0, HIT_SIZE), point_from_px(100, 0, HIT_SIZE))),
-            Polyline("empty", ()),
-            Polyline("right", (point_from_px(300, 0, HIT_SIZE), point_from_px(400, 0, HIT_SIZE))),
-        )
-    )
-    assert hit_test(annotation, HIT_SIZE, (200, 0), 1.0) is None
-    hit = hit_test(annotation, HIT_SIZE, (350, 3), 1.0)
-    assert (hit.class_name, hit.kind, hit.index) == ("right", "segment", 0)
-
-
 def test_points_that_coincide_can_be_hit() -> None:
     twice = FrameAnnotation((Polyline("spot", (Point(0.5, 0.5), Point(0.5, 0.5))),))
     x, y = points_px(twice.polylines[0], HIT_SIZE)[0].tolist()
     hit = hit_test(twice, HIT_SIZE, (x + 1, y), 1.0)
     assert hit.kind == "point"
-
-
-def test_an_empty_frame_has_nothing_to_hit() -> None:
-    assert hit_test(FrameAnnotation(), HIT_SIZE, (5, 5), 1.0, prefer="Middle line") is None

@@ -79,8 +79,8 @@ class KnownChecks:
     def __init__(self, store: Store, ignored: IgnoredFindings) -> None:
         self._store, self._ignored = store, ignored
         self._frames: dict[str, FrameCheck] = {}
-        # Frame -> what the set says of it, and the content it holds for.
-        self._told_by_set: dict[str, tuple[str, StoredFinding]] = {}
+        # Frame -> the finding of the whole set, and the content it is valid for.
+        self._set_findings: dict[str, tuple[str, StoredFinding]] = {}
         self._in_set: tuple[tuple[str, StoredFinding], ...] | None = None  # until anything changes
 
     # --- asking -------------------------------------------------------------------------------
@@ -98,7 +98,7 @@ class KnownChecks:
         kept = self.check_of(frame)
         if kept is None:
             return ()
-        content, by_set = self._told_by_set.get(frame, (None, None))
+        content, by_set = self._set_findings.get(frame, (None, None))
         if by_set is not None and content == kept.content and kept.fitted:
             kept = with_set_findings(kept, by_set)
         if not kept.found:
@@ -160,9 +160,9 @@ class KnownChecks:
         """A frame is another one now; whether it was checked."""
         return self._frames.pop(frame, None) is not None
 
-    def keep_told(self, checks: Mapping[str, FrameCheck]) -> None:
-        """Keep what only the set says, next to what is found anew whenever a frame is shown."""
-        self._told_by_set = {
+    def keep_set_findings(self, checks: Mapping[str, FrameCheck]) -> None:
+        """Keep the findings of the set beside those found anew whenever a frame is shown."""
+        self._set_findings = {
             name: (checked.content, found)
             for name, checked in checks.items()
             for found in checked.found
@@ -176,4 +176,4 @@ class KnownChecks:
     def forget(self) -> None:
         """Nothing of what was found counts any more."""
         self._frames.clear()
-        self._told_by_set.clear()
+        self._set_findings.clear()

@@ -22,16 +22,15 @@ from procc_annotator.dataset.review import (
 )
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.background import ComputedValue, Inputs, after_paint
-from procc_annotator.gui.state.checking.check_queue import CheckQueue
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.checking.known_checks import IgnoredFindings, KnownChecks
 from procc_annotator.gui.state.checking.line_pixels import Evidence, PaintWatch
+from procc_annotator.gui.state.checking.runner import CheckRunner
 from procc_annotator.gui.state.messages import BENT
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.frame_score import Judge
-from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
@@ -71,40 +70,31 @@ class LabelCheck(QObject):
         self.ignored = IgnoredFindings(review, self)
         self.known = KnownChecks(store, self.ignored)
         self._current: tuple[str, str] | None = None  # frame and key
-        self._queue = CheckQueue(store, live_fit, self)
-        self._without_fit = ComputedValue(self._to_check, _check, self)
-        self._with_fit = ComputedValue(
-            self._fitted, _remembered, self, background=False, cache_size=_KEPT
-        )
+        self._runner = CheckRunner(store, live_fit, self)
+        self._check = ComputedValue(self._to_check, _check, self, cache_size=_KEPT)
         self._content = ComputedValue(self._annotation, content_of, self, background=False)
-        # Of the frame on screen, remembered already: what its clicks say, what its picture shows.
-        self._taken: tuple[FrameAnalysis, Evidence | None] | None = None
         self._committed = store.state.committed
-        self._told: tuple[object, ...] = ()
-        self._look_soon = after_paint(self, self.look)
-        self._bent: str | None = None  # the finding that is told as a notice
-        self._connect(review)
+        self._shown: tuple[object, ...] = ()  # what was signalled last of the frame on screen
+        self._bent: str | None = None  # the finding that is shown as a notice
+        self._connect(store, review)
 
-    def _connect(self, review: ReviewState) -> None:
-        self._without_fit.changed.connect(self._take_without_fit)
-        self._without_fit.failed.connect(self._warn)
+    def _connect(self, store: Store, review: ReviewState) -> None:
+        store.keep_current(self._check, self._live_fit.changed, self._paint.changed)
+        self._check.changed.connect(self._look)
+        self._check.failed.connect(self._warn)
         self.framesChanged.connect(self.known.look_at_set_again)
-        self.ignored.changed.connect(self._tell)
+        self.ignored.changed.connect(self._signal)
         review.statusChanged.connect(self.known.look_at_set_again)  # committed elsewhere
-        self._live_fit.changed.connect(self._look_soon.start)
-        self._paint.changed.connect(self._look_soon.start)
-        store = self._store
         store.watch(select.dataset, self._forget)
-        store.watch(select.field, self._take_field)
-        store.watch(select.annotation, self.look)
-        store.events.annotationEdited.connect(self._note_edit)
-        store.watch(select.blind, self._show_anew)
+        store.watch(select.field, self._forget)
+        store.watch(select.annotation, self._look)
+        store.watch(select.blind, self._take_blind)
         store.watch(select.committed, self._take_commit)
+        store.events.annotationEdited.connect(self._note_edit)
         store.events.framesEdited.connect(self._take_edited)
-        self._queue.arrived.connect(self._take_arrived)
-        self._queue.progressed.connect(self.progressed)
-        self._queue.told.connect(self._take_told)
-        self._queue.finished.connect(self._take_end)
+        self._runner.arrived.connect(self._take_arrived)
+        self._runner.progressed.connect(self.progressed)
+        self._runner.finished.connect(self._take_end)
 
     # --- what is known ----------------------------------------------------------------------
 
@@ -126,7 +116,7 @@ class LabelCheck(QObject):
         """Return whether the frame on screen is still examined, as it is now: more may be found."""
         if self._store.state.frame_name is None:
             return False
-        return (self.fit_shown and self._live_fit.working) or self._without_fit.working
+        return (self.fit_shown and self._live_fit.working) or self._check.working
 
     def _annotation(self) -> Inputs:
         return (self._store.state.annotation,)
@@ -159,107 +149,84 @@ class LabelCheck(QObject):
 
     # --- the frame on screen --------------------------------------------------------------------
 
-    def look(self) -> None:
-        """The frame on screen, its annotation or its fit may be other than before."""
-        name, annotation = self._store.state.frame_name, self._store.state.annotation
+    def _look(self) -> None:
+        """The frame on screen, its annotation or its check may be others."""
+        name, found = self._store.state.frame_name, self._check.value
         if name is None:
             self._announce()
-            return
-        insight = self._live_fit.insight
-        if insight is not None and not self._waits_for_paint(name):
-            taken = insight, self._paint.value
-            if self._taken is None or not same(taken, self._taken) or self.known.get(name) is None:
-                self._taken = taken
-                before = self.known.get(name)
-                if (checked := self._with_fit.value) is not None:
-                    self._take(name, checked)
-                if before is not None:
-                    self._say_bent(before)
-            else:
-                self._announce()
-            self._without_fit.invalidate()
-            return
-        self._taken = None
-        content = self._content.value
+        elif found is None:
+            self._keep_valid(name)
+            self._announce()
+        elif (before := self.known.get(name)) is not found:
+            self._take(name, found)
+            self._check.invalidate()
+            if before is not None and found.fitted:
+                self._show_bent(before)
+
+    def _take(self, name: str, found: FrameCheck) -> None:
+        self._runner.drop(name)
+        self.problems.pop(name, None)
+        self.known.keep(name, found)
+        self._signal(name)
+
+    def _keep_valid(self, name: str) -> None:
+        """Keep the findings of elements that were not touched until more is known."""
         kept = self.known.check_of(name)
-        if kept is not None and kept.content != content:
-            # Signs of elements that no one touched stay until more is known.
-            left = still_valid(kept, annotation)
+        if kept is not None and kept.content != self._content.value:
+            left = still_valid(kept, self._store.state.annotation)
             self.known.keep(name, left)
             if left.found != kept.found:
                 self.framesChanged.emit(name)
-        self._without_fit.invalidate()
-        self._announce()
 
-    def _waits_for_paint(self, name: str) -> bool:
-        """Return whether what an edit does to the paint under it is known in a moment: signs of the
-        picture are not to go and come with every click."""
-        kept = self.known.get(name)
-        return kept is not None and kept.with_paint and self._paint.working
+    def _to_check(self) -> Inputs | None:
+        """The frame on screen with its fit, or by the rules that need none."""
+        state, evidence = self._store.state, self._paint.value
+        name, field = state.frame_name, self._judge.frame_setup.field
+        if name is None:
+            return None
+        if self.fit_shown:
+            insight, kept = self._live_fit.insight, self.known.get(name)
+            # Findings of the picture are not to go and come with every click.
+            waits = kept is not None and kept.with_paint and self._paint.working
+            return None if insight is None or waits else (insight, field, None, name, evidence)
+        kept = self.known.check_of(name)
+        is_same = kept is not None and kept.content == self._content.value
+        if kept is not None and is_same and kept.with_paint >= (evidence is not None):
+            return None
+        return state.annotation, field, state.picture_size or state.setup.size, name, evidence
 
-    def _say_bent(self, before: FrameCheck) -> None:
-        """What was clicked just now and lies next to its bent paint spoils whatever follows."""
+    def _show_bent(self, before: FrameCheck) -> None:
+        """Notify of a new finding that an element runs beside its bent line pixels: it spoils
+        everything that follows from the clicks."""
         known = {found.key for found in before.found}
         for found in self.shown:
             if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
                 self._bent = found.key
                 notify(self._store, BENT, tr(found.finding.reason))
 
-    def _fitted(self) -> Inputs | None:
-        """The frame on screen, with its picture as soon as that was examined."""
-        insight = self._live_fit.insight
-        field = self._judge.frame_setup.field
-        return None if insight is None else (insight, self._paint.value, field)
-
     def _announce(self) -> None:
-        """Say so if what is known of the frame on screen is other than what was said last: every
-        listener draws or lists it anew."""
+        """Signal what is known of the frame on screen, if it differs from the last time."""
         if self._bent is not None and all(found.key != self._bent for found in self.shown):
             self._bent = None
             withdraw(self._store, BENT)
-        told = self._store.state.frame_name, self.shown, self.checked is not None
-        if told != self._told:
-            self._told = told
+        shown = self._store.state.frame_name, self.shown, self.checked is not None
+        if shown != self._shown:
+            self._shown = shown
             self.changed.emit()
-
-    def _to_check(self) -> Inputs | None:
-        """The frame on screen, if no fit of it is to come: by the rules that need none."""
-        state = self._store.state
-        name = state.frame_name
-        if name is None or self.fit_shown:
-            return None
-        kept, paint = self.known.check_of(name), self._paint.value
-        same_content = kept is not None and kept.content == self._content.value
-        if kept is not None and same_content and kept.with_paint >= (paint is not None):
-            return None
-        size = state.picture_size or state.setup.size
-        return state.annotation, self._judge.frame_setup.field, size, name, paint
-
-    def _take_without_fit(self) -> None:
-        name, found = self._store.state.frame_name, self._without_fit.value
-        if name is not None and found is not None:
-            self._take(name, found)
-            self._without_fit.invalidate()
 
     def _warn(self, text: str) -> None:
         say(self._store, text, "warning")
 
-    def _take(self, name: str, checked: FrameCheck) -> None:
-        self._queue.drop(name)
-        self.problems.pop(name, None)
-        self.known.keep(name, checked)
-        self._tell(name)
-
-    def _tell(self, name: str) -> None:
+    def _signal(self, name: str) -> None:
         self.known.look_at_set_again()
         if name == self._store.state.frame_name:
             self._announce()
         self.framesChanged.emit(name)
 
-    def _show_anew(self) -> None:
-        """Blind mode may have come or gone: other findings may be seen."""
+    def _take_blind(self) -> None:
+        """Blind mode is on or off: other findings may be shown."""
         self.set_checked = False
-        self.look()
+        self._look()
         self.framesChanged.emit("")
         if self.running:
             self.check_set()
@@ -269,14 +236,14 @@ class LabelCheck(QObject):
         before, self._committed = self._committed, self._store.state.committed
         for name in (before ^ self._committed) if self._store.state.blind else ():
             if self.known.check_of(name) is not None and not self.known.is_known(name):
-                self._queue.add(name)
-            self.look()
+                self._runner.add(name)
+            self._look()
             self.framesChanged.emit(name)
 
     def _note_edit(self) -> None:
         name = self._store.state.frame_name
         if name is not None and self.checked is None:
-            self._queue.add(name)
+            self._runner.add(name)
 
     def _take_edited(self, indices: list[int]) -> None:
         """Annotations were changed all over the set: what was found there is of the past."""
@@ -287,38 +254,35 @@ class LabelCheck(QObject):
             name = workspace.frames[index].name
             known = self.known.drop(name)
             if self.problems.pop(name, None) is not None or known:
-                self._queue.add(name)
+                self._runner.add(name)
         self.framesChanged.emit("")
-        self.look()
+        self._look()
 
     # --- the whole set ------------------------------------------------------------------------
 
     @property
     def running(self) -> bool:
         """Return whether the set is being checked."""
-        return self._queue.running
+        return self._runner.running
 
     def check_set(self) -> None:
         """Check every annotated frame in the background, with a camera even where the live fit is
         off; in blind mode only the committed frames with a camera."""
         self.problems.clear()
-        self._queue.check_set()
+        self._runner.check_set()
 
     def stop(self) -> None:
         """Stop checking the set; what was found so far stays."""
-        self._queue.stop()
+        self._runner.stop()
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
-        self._look_soon.stop()
-        self._without_fit.close()
-        self._queue.close()
+        self._check.close()
+        self._runner.close()
 
-    def _take_told(self, checks: dict[str, FrameCheck]) -> None:
-        self.known.keep_told(checks)
+    def _take_end(self, checked: int, from_set: dict[str, FrameCheck]) -> None:
+        self.known.keep_set_findings(from_set)
         self._announce()
-
-    def _take_end(self, checked: int) -> None:
         self.set_checked = True
         self.framesChanged.emit("")
         self.finished.emit(checked)
@@ -330,7 +294,7 @@ class LabelCheck(QObject):
                 self.known.drop(name)
                 self.problems[name] = checked
             elif not self._is_newest(name, checked):
-                self._queue.add(name)
+                self._runner.add(name)
             elif self._store.state.reveals(name) or not checked.fitted:
                 self.problems.pop(name, None)
                 self.known.keep(name, checked)
@@ -346,16 +310,10 @@ class LabelCheck(QObject):
         annotation = workspace.loaded_annotation(index)
         return annotation is None or content_of(annotation) == checked.content
 
-    def _take_field(self) -> None:
-        """The field has other dimensions: what was found hangs on them."""
-        self._forget()
-        self.look()
-
     def _forget(self) -> None:
-        """Nothing of what was found counts any more, as when another dataset was opened."""
-        self._without_fit.clear()
-        self._with_fit.clear()
-        self._queue.close()
+        """Another dataset or field: no finding is valid any more."""
+        self._check.clear()
+        self._runner.close()
         self.known.forget()
         self.problems.clear()
         self.set_checked = False
@@ -363,22 +321,22 @@ class LabelCheck(QObject):
         self.progressed.emit(0, 0)
         self.framesChanged.emit("")
         self.currentChanged.emit()
-
-
-def _remembered(insight: FrameAnalysis, evidence: Evidence | None, field: Field) -> FrameCheck:
-    annotation, found, fit = insight.annotation, insight.findings, insight.fit
-    if evidence is not None:
-        paint = confirmed_evidence(annotation, evidence)
-        found = add_line_evidence(found, annotation, field, size=fit.size, fit=fit, paint=paint)
-    return store_check(annotation, found, fit, with_paint=evidence is not None)
+        self._check.invalidate()
 
 
 def _check(
-    annotation: FrameAnnotation,
+    checked: FrameAnalysis | FrameAnnotation,
     field: Field,
-    size: tuple[int, int],
+    size: tuple[int, int] | None,
     _frame: str,
     evidence: Evidence | None,
 ) -> FrameCheck:
+    annotation = checked.annotation if isinstance(checked, FrameAnalysis) else checked
     paint = None if evidence is None else confirmed_evidence(annotation, evidence)
-    return check_without_fit(annotation, field, size=size, paint=paint)
+    if isinstance(checked, FrameAnnotation):
+        assert size is not None
+        return check_without_fit(annotation, field, size=size, paint=paint)
+    found, fit = checked.findings, checked.fit
+    if paint is not None:
+        found = add_line_evidence(found, annotation, field, size=fit.size, fit=fit, paint=paint)
+    return store_check(annotation, found, fit, with_paint=evidence is not None)

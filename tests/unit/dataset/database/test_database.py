@@ -8,7 +8,7 @@ import shutil
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
@@ -24,43 +24,6 @@ from procc_annotator.errors import InputError
 
 Open = Callable[..., WorkspaceDatabase]
 ODD_NAMES = ["", "a b", "Ä" * 300, "fr\udcff.1", "\ud800", "nul\0nul", "'; DROP TABLE frame; --"]
-
-
-@pytest.fixture(autouse=True)
-def own_data(tmp_path_factory, monkeypatch) -> Path:
-    """The user's data folder, out of the way."""
-    folder = tmp_path_factory.mktemp("own")
-    monkeypatch.setenv("XDG_DATA_HOME", str(folder))
-    monkeypatch.setenv("LOCALAPPDATA", str(folder))
-    monkeypatch.setenv("HOME", str(folder))
-    return folder
-
-
-@pytest.fixture(autouse=True)
-def quick_disk(monkeypatch) -> None:
-    """Do not wait for the disk; the processes that are killed do."""
-    connect = database_file.connect
-
-    def quick(path: Path | None) -> sqlite3.Connection:
-        connection = connect(path)
-        connection.execute("PRAGMA synchronous = OFF")
-        return connection
-
-    monkeypatch.setattr(database_file, "connect", quick)
-
-
-@pytest.fixture
-def opened(tmp_path) -> Iterator[Open]:
-    """Opens databases and closes them in the end."""
-    all_: list[WorkspaceDatabase] = []
-
-    def open_(dataset: Path = tmp_path, author: str = "Anna") -> WorkspaceDatabase:
-        all_.append(WorkspaceDatabase.open(dataset, author))
-        return all_[-1]
-
-    yield open_
-    for one in all_:
-        one.close()
 
 
 def _origin(time: float = 5.0) -> Origin:
