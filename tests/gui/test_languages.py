@@ -42,7 +42,7 @@ from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
-from procc_annotator.gui.window.keymap_dialog import KeymapDialog
+from procc_annotator.gui.window.key_dialogs import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
 from procc_annotator.gui.window.workspaces import DESKS
 from procc_annotator.report.tables.data_files import json_bytes
@@ -54,7 +54,7 @@ from procc_annotator.translation import (
     translatable_count,
     translatable_joined,
 )
-from tests.gui.conftest import Hand, all_done
+from tests.gui.conftest import Hand, all_done, sheet_text
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
 # The offscreen platform has no window manager to pass these on to.
@@ -282,7 +282,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
         ("hold x", "X halten"),
     ):
         sheet.search.setText(words)
-        assert text in sheet.columns.text()
+        assert text in sheet_text(sheet)
     sheet.close()
 
     commands.show_settings()
@@ -297,7 +297,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
     keys = KeymapDialog(window.document.state.field, window.document.state.keymap, window)
     for words in ("blindmodus", "blind mode"):
         keys.search.setText(words)
-        assert "Blindmodus" in keys.model.rows[0].text
+        assert "Blindmodus" in keys.table.shown()[0].text
     keys.deleteLater()
 
 

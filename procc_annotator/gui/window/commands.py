@@ -12,8 +12,7 @@ from procc_annotator.gui.settings import AUTHOR, KEYS
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import Mode
 from procc_annotator.gui.window.guide import Guide, guide_folder
-from procc_annotator.gui.window.key_sheet import KeySheet
-from procc_annotator.gui.window.keymap_dialog import KeymapDialog
+from procc_annotator.gui.window.key_dialogs import KeymapDialog, KeySheet
 from procc_annotator.gui.window.settings_dialog import SettingsDialog
 from procc_annotator.gui.window.window_settings import Options
 from procc_annotator.gui.window.workspaces import Docks, Drawer
