@@ -50,12 +50,11 @@ from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
-from procc_annotator.gui.window.command_palette import CommandPalette
+from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
 from procc_annotator.gui.window.commands import Commands, PanelCommands
 from procc_annotator.gui.window.keyboard_focus import FocusRing, KeysBack, Regions
 from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.message_routing import ErrorReports, Telling
-from procc_annotator.gui.window.palette_entries import PaletteEntries
 from procc_annotator.gui.window.status import StatusLine, StatusReport
 from procc_annotator.gui.window.tool_bar import Rail
 from procc_annotator.gui.window.top_bar import TopBar

@@ -24,7 +24,7 @@ K = Qt.Key.Key_K
 
 def _titles(window: MainWindow) -> list[str]:
     model = window.palette_.list.model()
-    return [str(model.index(row, 0).data()) for row in range(model.rowCount())]
+    return [str(model.index(row, 1).data()).removeprefix("✓ ") for row in range(model.rowCount())]
 
 
 def _type(window: MainWindow, text: str) -> None:

@@ -269,7 +269,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
     ):
         window.palette_.search.setText(words)
         model = window.palette_.list.model()
-        assert model.index(0, 0).data() == title
+        assert model.index(0, 1).data() == title
     window.palette_.put_away()
 
     commands.show_keys()
