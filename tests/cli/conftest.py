@@ -1,7 +1,5 @@
 """A small dataset: five frames seen by known cameras, annotated where those show the field."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

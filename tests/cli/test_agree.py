@@ -1,7 +1,5 @@
 """``procc-annotator agree`` as a user runs it."""
 
-from __future__ import annotations
-
 import csv
 import json
 import shutil
@@ -49,7 +47,7 @@ def load(path: Path) -> dict[str, Any]:
     return json.loads(path.read_text(), parse_constant=no_constants)
 
 
-def test_tables_and_the_noise_floor(cli, dataset, other) -> None:
+def test_tables_and_the_noise_floor(cli, dataset, other):
     done = cli("agree", dataset.annotations, other, "--tau", "5", "--tau", "1")
     assert done.exit_code == 0, done.output
     assert done.stderr == ""
@@ -65,7 +63,7 @@ def test_tables_and_the_noise_floor(cli, dataset, other) -> None:
     assert [cell.strip() for cell in cells[-1]][3:7] == ["2", "0", "1", "0"]
 
 
-def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
+def test_json_holds_every_figure(cli, dataset, other, tmp_path):
     out = tmp_path / "out.json"
     assert (
         cli("agree", dataset.annotations, other, "-t", "5", "-t", "2.5", "-o", out).exit_code == 0
@@ -97,7 +95,7 @@ def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
     assert content["summary"]["per_class"]["Middle line"]["only_a"] == 1
 
 
-def test_csv_has_a_row_a_frame_and_class(cli, dataset, other, tmp_path) -> None:
+def test_csv_has_a_row_a_frame_and_class(cli, dataset, other, tmp_path):
     (other / "1.json").unlink()
     (other / "2.json").write_text("{")
     (other / "10.json").write_text("{}")
@@ -118,7 +116,7 @@ def test_csv_has_a_row_a_frame_and_class(cli, dataset, other, tmp_path) -> None:
     assert {(r["field"], r["width"], r["height"]) for r in table} == {("soccer", "960", "540")}
 
 
-def test_frames_of_one_annotator_are_noted_and_not_counted(cli, dataset, other) -> None:
+def test_frames_of_one_annotator_are_noted_and_not_counted(cli, dataset, other):
     (other / "1.json").unlink()
     (dataset.annotations / "2.json").unlink()
     (dataset.annotations / "10.json").unlink()
@@ -129,7 +127,7 @@ def test_frames_of_one_annotator_are_noted_and_not_counted(cli, dataset, other) 
     assert "Agreement of 2 frames both annotated" in done.stdout
 
 
-def test_mirrored_labels_are_a_hint(cli, dataset, other) -> None:
+def test_mirrored_labels_are_a_hint(cli, dataset, other):
     field = load_field("soccer")
     for name in ("1", "11"):
         content = json.loads((other / f"{name}.json").read_text())
@@ -144,7 +142,7 @@ def test_mirrored_labels_are_a_hint(cli, dataset, other) -> None:
     assert done.stdout.count("mirrored?") == 2
 
 
-def test_requests_that_make_no_sense_are_one_line(cli, dataset, other, tmp_path) -> None:
+def test_requests_that_make_no_sense_are_one_line(cli, dataset, other, tmp_path):
     empty = tmp_path / "empty"
     empty.mkdir()
     pair = (dataset.annotations, other)
@@ -165,7 +163,7 @@ def test_requests_that_make_no_sense_are_one_line(cli, dataset, other, tmp_path)
         assert words in line
 
 
-def test_where_nothing_can_be_read_no_file_is_written(cli, dataset, other, tmp_path) -> None:
+def test_where_nothing_can_be_read_no_file_is_written(cli, dataset, other, tmp_path):
     for path in other.iterdir():
         path.write_text("{")
     done = cli("agree", dataset.annotations, other, "-o", tmp_path / "out.csv")
@@ -176,7 +174,7 @@ def test_where_nothing_can_be_read_no_file_is_written(cli, dataset, other, tmp_p
     assert not list(tmp_path.glob(".*"))
 
 
-def test_only_the_ten_worst_frames_are_shown_the_worst_first(cli, tmp_path) -> None:
+def test_only_the_ten_worst_frames_are_shown_the_worst_first(cli, tmp_path):
     a, b = tmp_path / "a", tmp_path / "b"
     for folder in (a, b):
         folder.mkdir()
@@ -208,9 +206,7 @@ def third(dataset, tmp_path) -> Path:
     return folder
 
 
-def test_three_annotators_in_pairs_and_against_the_others(
-    cli, dataset, other, third, tmp_path
-) -> None:
+def test_three_annotators_in_pairs_and_against_the_others(cli, dataset, other, third, tmp_path):
     out, agreed = tmp_path / "out.json", tmp_path / "agreed"
     three = dataset.annotations, other, third
     done = cli("agree", *three, "-t", "2.5", "--consensus", agreed, "-o", out)
@@ -246,9 +242,7 @@ def test_three_annotators_in_pairs_and_against_the_others(
     assert floor["max"] < 0.6  # at ends, where only two run
 
 
-def test_of_three_every_frame_annotator_and_class_is_a_row(
-    cli, dataset, other, third, tmp_path
-) -> None:
+def test_of_three_every_frame_annotator_and_class_is_a_row(cli, dataset, other, third, tmp_path):
     (other / "2.json").write_text("{")
     out = tmp_path / "out.csv"
     done = cli("agree", dataset.annotations, other, third, "-o", out)
@@ -262,9 +256,7 @@ def test_of_three_every_frame_annotator_and_class_is_a_row(
     assert {r["annotator"] for r in table if r["name"] == "2"} == {"A", "C", ""}
 
 
-def test_intervals_of_agreement_are_clustered_by_a_tag(
-    cli, dataset, other, third, tmp_path
-) -> None:
+def test_intervals_of_agreement_are_clustered_by_a_tag(cli, dataset, other, third, tmp_path):
     tags = tmp_path / "tags.csv"
     tags.write_text("frame,match\n1,a\n2,a\n3,b\n10,b\n11,b\n")
     three = dataset.annotations, other, third
@@ -280,7 +272,7 @@ def test_intervals_of_agreement_are_clustered_by_a_tag(
     assert "2 clusters by match" in floor["intervals"]
 
 
-def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
+def test_a_consensus_replaces_nothing(cli, dataset, other, third):
     three = dataset.annotations, other, third
     done = cli("agree", *three, "--consensus", other)
     assert done.exit_code == 2
@@ -293,9 +285,7 @@ def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
     assert cli("agree", *three, "--consensus", agreed, "--overwrite").exit_code == 0
 
 
-def test_folders_that_may_be_matches_are_told_and_known_ones_kept_apart(
-    cli, dataset, tmp_path
-) -> None:
+def test_folders_that_may_be_matches_are_told_and_known_ones_kept_apart(cli, dataset, tmp_path):
     """Whether only folders are of annotators or of matches their names do not say."""
     for who, folder in (("anna", "g1"), ("ben", "g2"), ("ute", "ute"), ("cleo", "g1")):
         shutil.copytree(dataset.annotations, tmp_path / who / folder)
@@ -346,7 +336,7 @@ def annotate(dataset, folder: Path, rise: float) -> None:
 
 def test_each_annotator_is_compared_with_the_gold_frames_of_the_reference(
     cli, dataset, study, tmp_path
-) -> None:
+):
     annotate(dataset, study / "anna", 0.5)
     annotate(dataset, study / "ben", 0.0)
     out, table = tmp_path / "gold.json", tmp_path / "gold.csv"
@@ -368,7 +358,7 @@ def test_each_annotator_is_compared_with_the_gold_frames_of_the_reference(
     assert json.loads(out.read_text())["reference"]["rows"][0]["frames"] == 5  # all of them
 
 
-def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> None:
+def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path):
     archive, folder = tmp_path / "out.zip", tmp_path / "released"
     assert cli("export", dataset.root, archive).exit_code == 0
     assert cli("release", dataset.root, folder, "--no-check").exit_code == 0
@@ -379,7 +369,7 @@ def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> 
     assert not [name for name, data in written.items() if "gold" in name or b"gold" in data]
 
 
-def test_the_window_knows_nothing_of_gold() -> None:
+def test_the_window_knows_nothing_of_gold():
     """What it never reads it can neither show nor pass on; the command of a study alone does."""
     package = Path(procc_annotator.__file__).parent
     readers = [
@@ -390,7 +380,7 @@ def test_the_window_knows_nothing_of_gold() -> None:
     assert readers == ["cli/agree.py"]
 
 
-def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
+def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path):
     other, reference = tmp_path / "other.csv", ("--reference", dataset.root)
     other.write_text("frame,x\n1,1\n2,1\n3,1\n10,1\n11,1\n,1\n")
     for arguments, words in (
@@ -408,7 +398,7 @@ def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
     assert "1 frame (77) without an annotation" in done.stderr
 
 
-def test_frames_needed_grow_with_the_square_of_what_is_wanted(cli, dataset, study) -> None:
+def test_frames_needed_grow_with_the_square_of_what_is_wanted(cli, dataset, study):
     annotate(dataset, study / "anna", 0.5)
     done = cli("agree", dataset.annotations, study / "anna", "--power", "-t", "2")
     assert done.exit_code == 0, done.output

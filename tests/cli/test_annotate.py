@@ -1,7 +1,5 @@
 """``procc-annotator annotate``: the paint under given cameras, as proposed, over nothing."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -101,7 +99,7 @@ def match(shot, pictures, tmp_path) -> Match:
     return made
 
 
-def test_the_paint_under_the_cameras_becomes_annotations(cli, match) -> None:
+def test_the_paint_under_the_cameras_becomes_annotations(cli, match):
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
     assert done.exit_code == 0, done.output
     assert f"written: {FRAMES} annotations (" in done.stdout
@@ -115,7 +113,7 @@ def test_the_paint_under_the_cameras_becomes_annotations(cli, match) -> None:
         assert score.max_error < 1.5
 
 
-def test_their_points_are_proposed_wherever_the_set_is_opened(cli, match, tmp_path) -> None:
+def test_their_points_are_proposed_wherever_the_set_is_opened(cli, match, tmp_path):
     elsewhere = tmp_path / "elsewhere"
     for out in (match.annotations, elsewhere):
         assert cli("annotate", match.pictures, out, "--cameras", match.cameras).exit_code == 0
@@ -127,7 +125,7 @@ def test_their_points_are_proposed_wherever_the_set_is_opened(cli, match, tmp_pa
     assert kinds_of(elsewhere, again) == {OriginKind.PROPOSED: points}
 
 
-def test_points_that_a_person_accepted_at_the_same_places_stay_theirs(cli, match, tmp_path) -> None:
+def test_points_that_a_person_accepted_at_the_same_places_stay_theirs(cli, match, tmp_path):
     arguments = "--cameras", match.cameras
     assert cli("annotate", match.pictures, match.annotations, *arguments).exit_code == 0
     first = match.annotations / "00000.json"
@@ -143,7 +141,7 @@ def test_points_that_a_person_accepted_at_the_same_places_stay_theirs(cli, match
     assert set(kinds_of(elsewhere, elsewhere / "00000.json")) == {OriginKind.PROPOSED}
 
 
-def test_what_is_annotated_stays_and_a_run_goes_on(cli, match) -> None:
+def test_what_is_annotated_stays_and_a_run_goes_on(cli, match):
     match.annotations.mkdir()
     own = match.annotations / "00001.json"
     own.write_text("{}")
@@ -159,7 +157,7 @@ def test_what_is_annotated_stays_and_a_run_goes_on(cli, match) -> None:
     assert {path: path.read_bytes() for path in match.annotations.iterdir()} == before
 
 
-def test_an_annotation_that_appears_meanwhile_stays(cli, match, monkeypatch) -> None:
+def test_an_annotation_that_appears_meanwhile_stays(cli, match, monkeypatch):
     def slow(name, *arguments):
         match.annotations.joinpath(f"{name}.json").write_text("{}")
         return painted(name, *arguments)
@@ -172,7 +170,7 @@ def test_an_annotation_that_appears_meanwhile_stays(cli, match, monkeypatch) -> 
     assert {path.read_text() for path in match.annotations.iterdir()} == {"{}"}
 
 
-def test_nothing_is_written_where_no_paint_is(cli, match) -> None:
+def test_nothing_is_written_where_no_paint_is(cli, match):
     last = (match.pictures / f"{FRAMES - 1:05d}.png").read_bytes()
     (match.pictures / "00000.png").write_bytes(last)  # the picture of another camera
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
@@ -181,7 +179,7 @@ def test_nothing_is_written_where_no_paint_is(cli, match) -> None:
     assert "00000.json" not in names_in(match.annotations)
 
 
-def test_frames_of_a_video_by_their_names(cli, match, tmp_path) -> None:
+def test_frames_of_a_video_by_their_names(cli, match, tmp_path):
     video = match.shot.write_video(tmp_path / "match.mp4")
     for path in match.cameras.iterdir():
         path.rename(path.with_name(path.name.replace("camera_0", "camera_match_00")))
@@ -193,7 +191,7 @@ def test_frames_of_a_video_by_their_names(cli, match, tmp_path) -> None:
     assert set(kinds_of(frames, frames / "match_000002.json")) == {OriginKind.PROPOSED}
 
 
-def test_the_views_that_differ_most(cli, match) -> None:
+def test_the_views_that_differ_most(cli, match):
     arguments = ("--cameras", match.cameras, "--views", 2)
     done = cli("annotate", match.pictures, match.annotations, *arguments)
     assert done.exit_code == 0, done.output
@@ -201,7 +199,7 @@ def test_the_views_that_differ_most(cli, match) -> None:
     assert (first, second) == ("00000.json", "00001.json")
 
 
-def test_several_processes_find_the_same(cli, match, tmp_path) -> None:
+def test_several_processes_find_the_same(cli, match, tmp_path):
     for name, workers in (("one", 1), ("two", 2)):
         out = tmp_path / name
         arguments = ("--cameras", match.cameras, "--workers", workers)
@@ -213,7 +211,7 @@ def test_several_processes_find_the_same(cli, match, tmp_path) -> None:
     assert len(one) == FRAMES
 
 
-def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, match) -> None:
+def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, match):
     (match.pictures / "00000.png").write_bytes(b"no picture")
     (match.cameras / "camera_00001.json").write_text("{")
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
@@ -222,7 +220,7 @@ def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, match) -> None:
     assert names_in(match.annotations) == ["00002.json"]
 
 
-def test_what_makes_no_sense(cli, match, tmp_path) -> None:
+def test_what_makes_no_sense(cli, match, tmp_path):
     for wrong, said in (
         ((tmp_path / "nowhere", match.annotations, "--cameras", match.cameras), "does not exist"),
         ((match.pictures, match.annotations, "--cameras", tmp_path / "no"), "does not exist"),
@@ -239,7 +237,7 @@ def test_what_makes_no_sense(cli, match, tmp_path) -> None:
     assert "holds no camera of these frames (it holds 1 camera, e.g. for other" in done.stderr
 
 
-def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch) -> None:
+def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch):
     def stopped(name, *arguments):
         if name == "00002":
             raise KeyboardInterrupt

@@ -1,7 +1,5 @@
 """Commands read annotations of every format as they read the program's own."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -17,7 +15,7 @@ FORMATS = ("labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr")
 
 
 @pytest.mark.parametrize("fmt", FORMATS)
-def test_figures_are_those_of_the_annotations_themselves(cli, dataset, tmp_path, fmt) -> None:
+def test_figures_are_those_of_the_annotations_themselves(cli, dataset, tmp_path, fmt):
     cameras = dataset.cameras
     assert cli("convert", dataset.root, tmp_path / fmt, "--to", fmt).exit_code == 0
     scores = {}
@@ -33,7 +31,7 @@ def test_figures_are_those_of_the_annotations_themselves(cli, dataset, tmp_path,
 @pytest.mark.parametrize("inner", ["img1", "v3_frames"])
 def test_cameras_are_found_with_the_folder_of_the_pictures_and_without(
     cli, sample_data, tmp_path, inner
-) -> None:
+):
     """Methods name a frame as the file of labels does, or as the picture lies."""
     one = next(iter(sorted(sample_data.glob("0*.json"))))
     camera = sample_data / "cameras" / "pinhole" / f"camera_{one.name}"
@@ -49,7 +47,7 @@ def test_cameras_are_found_with_the_folder_of_the_pictures_and_without(
         assert "not counted" not in done.stderr + done.stdout
 
 
-def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data, tmp_path) -> None:
+def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data, tmp_path):
     one = next(iter(sorted((sample_data).glob("0*.json"))))
     (tmp_path / "set" / "game").mkdir(parents=True)
     (tmp_path / "set" / "other").mkdir()
@@ -72,7 +70,7 @@ def in_coco(cli, dataset, tmp_path) -> Path:
     return place
 
 
-def test_export_and_render_of_another_format(cli, dataset, in_coco, tmp_path) -> None:
+def test_export_and_render_of_another_format(cli, dataset, in_coco, tmp_path):
     for name, place in (("own", dataset.root), ("coco", in_coco)):
         done = cli("export", place, tmp_path / f"{name}_out", "--cameras", dataset.cameras)
         assert done.exit_code in (0, 1), done.stderr
@@ -85,9 +83,7 @@ def test_export_and_render_of_another_format(cli, dataset, in_coco, tmp_path) ->
     assert list((tmp_path / "pictures").glob("*.png"))
 
 
-def test_frames_annotated_in_another_format_are_passed_over(
-    cli, dataset, in_coco, tmp_path
-) -> None:
+def test_frames_annotated_in_another_format_are_passed_over(cli, dataset, in_coco, tmp_path):
     done = cli("propose", in_coco, tmp_path / "proposed")
     assert done.exit_code == 2
     assert "all frames are annotated" in done.stderr
@@ -96,7 +92,7 @@ def test_frames_annotated_in_another_format_are_passed_over(
     assert not list(in_coco.glob("[0-9]*.json"))
 
 
-def test_a_release_of_another_format_holds_the_annotations(cli, dataset, in_coco, tmp_path) -> None:
+def test_a_release_of_another_format_holds_the_annotations(cli, dataset, in_coco, tmp_path):
     done = cli("release", in_coco, tmp_path / "out", "--no-check")
     assert done.exit_code in (0, 1), done.stderr
     assert len(list((tmp_path / "out").rglob("annotations/*.json"))) == len(
@@ -104,7 +100,7 @@ def test_a_release_of_another_format_holds_the_annotations(cli, dataset, in_coco
     )
 
 
-def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path) -> None:
+def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path):
     assert cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme").exit_code == 0
     (dataset.annotations / "3.json").write_bytes((tmp_path / "lm" / "3.json").read_bytes())
     for command in (
@@ -117,7 +113,7 @@ def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path)
         assert "convert" in done.stderr
 
 
-def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path) -> None:
+def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path):
     bare = tmp_path / "bare"
     bare.mkdir()
     for picture in dataset.root.glob("*.jpg"):
@@ -134,7 +130,7 @@ def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path
     assert "only annotations (labelme JSON)" in done.stderr
 
 
-def test_cameras_instead_of_annotations_are_told_by_their_format(cli, dataset, tmp_path) -> None:
+def test_cameras_instead_of_annotations_are_told_by_their_format(cli, dataset, tmp_path):
     cli("convert", dataset.cameras, tmp_path / "krt", "--to", "krt")
     labels = tmp_path / "labels.toml"
     for command in (
@@ -155,13 +151,13 @@ def test_cameras_instead_of_annotations_are_told_by_their_format(cli, dataset, t
     assert "it is a file of cameras by its name (.npy)" in done.stderr
 
 
-def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path) -> None:
+def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path):
     (tmp_path / "1.json").write_text('{"Middle line": []}')
     (tmp_path / "2.json").write_text("{}")
     assert cli("check", tmp_path, "--no-line-evidence").exit_code == 0
 
 
-def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path) -> None:
+def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path):
     out = tmp_path / "yolo"
     cli("convert", dataset.root, out, "--to", "yolo-pose", "--pictures")
     for place in (out, out / "labels"):
@@ -176,9 +172,7 @@ def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_pat
     assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
 
 
-def test_annotations_instead_of_cameras_are_told_by_their_format(
-    cli, dataset, in_coco, tmp_path
-) -> None:
+def test_annotations_instead_of_cameras_are_told_by_their_format(cli, dataset, in_coco, tmp_path):
     cli("convert", dataset.root, tmp_path / "cvat.xml", "--to", "cvat")
     for place, title in ((in_coco, "COCO"), (tmp_path / "cvat.xml", "CVAT for images 1.1")):
         done = cli("evaluate", dataset.annotations, place)
@@ -198,7 +192,7 @@ def test_annotations_instead_of_cameras_are_told_by_their_format(
 
 
 @pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_what_was_taken_in_stands_for_the_file_it_came_from(cli, dataset, tmp_path, fmt) -> None:
+def test_what_was_taken_in_stands_for_the_file_it_came_from(cli, dataset, tmp_path, fmt):
     """After an import the frames' own files lie beside the file of the other program."""
     both = tmp_path / "both"
     assert cli("convert", dataset.root, both, "--to", fmt).exit_code == 0
@@ -237,7 +231,7 @@ def renamed(cli, dataset, tmp_path) -> tuple[Path, Path]:
     return folder, labels
 
 
-def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path) -> None:
+def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path):
     folder, labels = renamed
     cameras = dataset.cameras
     cli("evaluate", dataset.annotations, cameras, "-o", tmp_path / "own.json")
@@ -262,7 +256,7 @@ def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path
     assert "100.00" in agreed.stdout
 
 
-def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path) -> None:
+def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path):
     folder, labels = renamed
     (folder / "labels.toml").write_bytes(labels.read_bytes())
     done = cli("check", folder, "--no-line-evidence")
@@ -275,7 +269,7 @@ def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path) -> None:
     assert classes <= {e.name for e in load_field(None).elements}
 
 
-def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path) -> None:
+def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path):
     """Of annotations alone, and of a dataset with pictures."""
     folder, labels = renamed
     for place in (folder, dataset.root):
@@ -294,7 +288,7 @@ def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path) -> No
         assert not any(name.startswith("element ") for name in classes)
 
 
-def test_unknown_labels_are_listed_once_with_counts(cli, renamed) -> None:
+def test_unknown_labels_are_listed_once_with_counts(cli, renamed):
     folder, _ = renamed
     done = cli("check", folder, "--no-line-evidence")
     lines = [line for line in done.stderr.splitlines() if "does not know" in line]
@@ -304,7 +298,7 @@ def test_unknown_labels_are_listed_once_with_counts(cli, renamed) -> None:
     assert "labels.toml" in lines[0]
 
 
-def test_a_map_that_is_wrong_is_one_line(cli, renamed) -> None:
+def test_a_map_that_is_wrong_is_one_line(cli, renamed):
     folder, labels = renamed
     labels.write_text('[labels]\n"element 1" = "Side line bottm"')
     done = cli("check", folder, "--map", labels)
@@ -314,7 +308,7 @@ def test_a_map_that_is_wrong_is_one_line(cli, renamed) -> None:
     assert "did you mean 'Side line bottom'?" in done.stderr
 
 
-def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path) -> None:
+def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path):
     folder, labels = renamed
     runs = {
         "own": ("--annotations", dataset.annotations),
@@ -337,9 +331,7 @@ def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path) -> None:
     assert {file.name: file.read_bytes() for file in by_itself.glob("*.png")} == drawn["own"]
 
 
-def test_anchors_of_a_track_are_fitted_by_the_map(
-    cli, dataset, renamed, monkeypatch, tmp_path
-) -> None:
+def test_anchors_of_a_track_are_fitted_by_the_map(cli, dataset, renamed, monkeypatch, tmp_path):
     """Nothing is found in pictures alone, which would take long where no anchor is known."""
     folder, labels = renamed
 
@@ -358,7 +350,7 @@ def test_anchors_of_a_track_are_fitted_by_the_map(
     assert said == [True, False]
 
 
-def test_annotated_frames_are_told_by_the_map(cli, dataset, renamed, tmp_path) -> None:
+def test_annotated_frames_are_told_by_the_map(cli, dataset, renamed, tmp_path):
     folder, labels = renamed
     done = cli("propose", dataset.root, tmp_path / "p", "--annotations", folder, "--map", labels)
     assert "names by" in done.stderr

@@ -1,7 +1,5 @@
 """Commands over made-up datasets of other sports: what is told of soccer is told of them."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -97,7 +95,7 @@ def speaks_of_soccer(text: str) -> bool:
 
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
-def test_true_cameras_score_full_marks(cli, sport, protocol) -> None:
+def test_true_cameras_score_full_marks(cli, sport, protocol):
     dataset, field = sport
     done = cli(
         "evaluate", *dataset.set_arguments, "--field", field.name, "--protocol", protocol, "-t", 2
@@ -107,7 +105,7 @@ def test_true_cameras_score_full_marks(cli, sport, protocol) -> None:
     assert not speaks_of_soccer(done.output)
 
 
-def test_comparisons_reports_and_pictures(cli, sport, moved, tmp_path) -> None:
+def test_comparisons_reports_and_pictures(cli, sport, moved, tmp_path):
     dataset, field = sport
     own = ("--field", field.name)
     compared = tmp_path / "compared.json"
@@ -133,7 +131,7 @@ def test_comparisons_reports_and_pictures(cli, sport, moved, tmp_path) -> None:
     assert len(list(pictures.glob("*.png"))) == len(PANS)
 
 
-def test_labels_are_checked_and_exchanged_ones_are_found(cli, sport, tmp_path) -> None:
+def test_labels_are_checked_and_exchanged_ones_are_found(cli, sport, tmp_path):
     dataset, field = sport
     own = ("--field", field.name)
     done = cli("check", dataset.root, *own, "--fail-on", "warning")
@@ -154,7 +152,7 @@ def test_labels_are_checked_and_exchanged_ones_are_found(cli, sport, tmp_path) -
     assert other in named
 
 
-def test_annotations_go_through_other_formats_and_back(cli, sport, tmp_path) -> None:
+def test_annotations_go_through_other_formats_and_back(cli, sport, tmp_path):
     """Spots and optional elements among them: other sports lose nothing in files of SoccerNet's
     form."""
     dataset, field = sport
@@ -173,7 +171,7 @@ def test_annotations_go_through_other_formats_and_back(cli, sport, tmp_path) -> 
     assert f"the field is {field.title}" in done.output
 
 
-def test_soccer_leaves_optional_elements_out_of_files_of_soccernet(cli, dataset, tmp_path) -> None:
+def test_soccer_leaves_optional_elements_out_of_files_of_soccernet(cli, dataset, tmp_path):
     file = dataset.annotations / "1.json"
     clicks = json.loads(file.read_text())
     (mark,) = [e for e in load_field("soccer").elements if e.title == "Left penalty mark"]

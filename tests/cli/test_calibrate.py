@@ -1,7 +1,5 @@
 """``calibrate`` writes a camera a frame that scores well, and says why where it does not."""
 
-from __future__ import annotations
-
 import csv
 import json
 import os
@@ -34,7 +32,7 @@ def table(out: Path) -> dict[str, dict[str, str]]:
 
 
 @pytest.mark.parametrize("kind", ["dataset", "annotations", "zip"])
-def test_a_camera_for_every_frame(cli, dataset, tmp_path, kind) -> None:
+def test_a_camera_for_every_frame(cli, dataset, tmp_path, kind):
     given = {"dataset": dataset.root, "annotations": dataset.annotations}.get(kind)
     if given is None:
         given = tmp_path / "annotations.zip"
@@ -66,7 +64,7 @@ def test_a_camera_for_every_frame(cli, dataset, tmp_path, kind) -> None:
     assert "100.00" in scored.stdout
 
 
-def test_homographies_are_read_again_as_they_were_written(cli, dataset, tmp_path) -> None:
+def test_homographies_are_read_again_as_they_were_written(cli, dataset, tmp_path):
     out = tmp_path / "flat"
     done = cli("calibrate", dataset.root, out, "--model", "H", "-t", 5)
     assert done.exit_code == 0, done.stderr
@@ -83,7 +81,7 @@ def test_homographies_are_read_again_as_they_were_written(cli, dataset, tmp_path
     assert np.mean(jacs) > 0.95
 
 
-def test_the_model_is_chosen_for_each_frame(cli, dataset, tmp_path) -> None:
+def test_the_model_is_chosen_for_each_frame(cli, dataset, tmp_path):
     out = tmp_path / "chosen"
     done = cli("calibrate", dataset.root, out, "--model", "auto", "-t", 2)
     assert done.exit_code == 0, done.stderr
@@ -93,7 +91,7 @@ def test_the_model_is_chosen_for_each_frame(cli, dataset, tmp_path) -> None:
     assert all(float(row["jac_2"]) == 1.0 for row in rows.values())
 
 
-def test_frames_without_a_camera_say_why(cli, dataset, tmp_path) -> None:
+def test_frames_without_a_camera_say_why(cli, dataset, tmp_path):
     two = json.loads((dataset.annotations / "3.json").read_text())
     kept = dict(list(two.items())[:2])
     (dataset.annotations / "3.json").write_text(json.dumps(kept))
@@ -111,7 +109,7 @@ def test_frames_without_a_camera_say_why(cli, dataset, tmp_path) -> None:
     assert (out / "camera_3.json").read_text() == "{}"
 
 
-def test_unreadable_annotations_are_listed_and_the_rest_is_done(cli, dataset, tmp_path) -> None:
+def test_unreadable_annotations_are_listed_and_the_rest_is_done(cli, dataset, tmp_path):
     (dataset.annotations / "2.json").write_text("{")
     done = cli("calibrate", dataset.root, tmp_path / "out")
     assert done.exit_code == 1
@@ -121,7 +119,7 @@ def test_unreadable_annotations_are_listed_and_the_rest_is_done(cli, dataset, tm
     assert rows["1"]["camera"] == "camera_1.json"
 
 
-def test_a_name_that_is_no_utf_8(dataset, tmp_path) -> None:
+def test_a_name_that_is_no_utf_8(dataset, tmp_path):
     name = os.fsdecode(b"caf\xe9_1")
     few, out = tmp_path / "few", tmp_path / "out"
     few.mkdir()
@@ -148,7 +146,7 @@ def test_a_name_that_is_no_utf_8(dataset, tmp_path) -> None:
         (("convert", "SET", "OUT", "--to", "labelme", "--size", "960x540"), 1, "rename"),
     ],
 )
-def test_a_name_that_is_no_utf_8_ends_no_command(cli, dataset, tmp_path, asked, code, said) -> None:
+def test_a_name_that_is_no_utf_8_ends_no_command(cli, dataset, tmp_path, asked, code, said):
     name = os.fsdecode(b"caf\xe9_1")
     places = {"SET": tmp_path / "few", "CAMERAS": tmp_path / "seen", "OUT": tmp_path / "out"}
     places["SET"].mkdir()
@@ -162,7 +160,7 @@ def test_a_name_that_is_no_utf_8_ends_no_command(cli, dataset, tmp_path, asked, 
     assert said in done.stderr
 
 
-def test_a_wrong_label_is_left_out_and_told(cli, dataset, tmp_path) -> None:
+def test_a_wrong_label_is_left_out_and_told(cli, dataset, tmp_path):
     path = dataset.annotations / "1.json"
     content = json.loads(path.read_text())
     content["Middle line"] = content.pop("Small rect. left main")
@@ -180,14 +178,14 @@ def test_a_wrong_label_is_left_out_and_told(cli, dataset, tmp_path) -> None:
         (["--field", "soccr"], "soccer"),
     ],
 )
-def test_requests_that_make_no_sense(cli, dataset, tmp_path, arguments, message) -> None:
+def test_requests_that_make_no_sense(cli, dataset, tmp_path, arguments, message):
     done = cli("calibrate", dataset.root, tmp_path / "out", *arguments)
     assert done.exit_code == 2
     assert message in done.stderr
     assert not (tmp_path / "out").exists()
 
 
-def test_nothing_to_do(cli, tmp_path) -> None:
+def test_nothing_to_do(cli, tmp_path):
     (tmp_path / "empty").mkdir()
     done = cli("calibrate", tmp_path / "empty", tmp_path / "out")
     assert done.exit_code == 2
@@ -195,7 +193,7 @@ def test_nothing_to_do(cli, tmp_path) -> None:
     assert cli("calibrate", tmp_path / "none", tmp_path / "out").exit_code == 2
 
 
-def test_out_must_not_be_a_file_or_what_is_read(cli, dataset, tmp_path) -> None:
+def test_out_must_not_be_a_file_or_what_is_read(cli, dataset, tmp_path):
     (tmp_path / "file").write_text("")
     assert "a folder is needed" in cli("calibrate", dataset.root, tmp_path / "file").stderr
     given = tmp_path / "a.zip"
@@ -204,7 +202,7 @@ def test_out_must_not_be_a_file_or_what_is_read(cli, dataset, tmp_path) -> None:
     assert "to be read" in cli("calibrate", given, given).stderr
 
 
-def test_cameras_are_not_written_among_the_annotations(cli, dataset) -> None:
+def test_cameras_are_not_written_among_the_annotations(cli, dataset):
     before = set(dataset.root.rglob("*"))
     done = cli("calibrate", dataset.root, dataset.annotations)
     assert done.exit_code == 2
@@ -212,7 +210,7 @@ def test_cameras_are_not_written_among_the_annotations(cli, dataset) -> None:
     assert set(dataset.root.rglob("*")) == before
 
 
-def test_cameras_that_are_there_stay_unless_asked_for(cli, dataset, tmp_path) -> None:
+def test_cameras_that_are_there_stay_unless_asked_for(cli, dataset, tmp_path):
     out = tmp_path / "out"
     assert cli("calibrate", dataset.root, out, "--model", "P").exit_code == 0
     before = {file.name: file.read_bytes() for file in out.iterdir()}
@@ -224,7 +222,7 @@ def test_cameras_that_are_there_stay_unless_asked_for(cli, dataset, tmp_path) ->
     assert {file.name: file.read_bytes() for file in out.iterdir()} != before
 
 
-def test_cameras_in_folders_of_out_stay_unless_asked_for(cli, dataset, tmp_path) -> None:
+def test_cameras_in_folders_of_out_stay_unless_asked_for(cli, dataset, tmp_path):
     match, out = tmp_path / "halves", tmp_path / "out"
     for half in ("1", "2"):
         (match / half).mkdir(parents=True)
@@ -238,7 +236,7 @@ def test_cameras_in_folders_of_out_stay_unless_asked_for(cli, dataset, tmp_path)
     assert theirs.read_text() == "{}"
 
 
-def test_cameras_do_not_go_among_annotations_of_another_set(cli, dataset, tmp_path) -> None:
+def test_cameras_do_not_go_among_annotations_of_another_set(cli, dataset, tmp_path):
     other = tmp_path / "other"
     other.mkdir()
     (other / "7.json").write_bytes((dataset.annotations / "1.json").read_bytes())
@@ -252,7 +250,7 @@ def test_cameras_do_not_go_among_annotations_of_another_set(cli, dataset, tmp_pa
 
 def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
     cli, dataset, tmp_path, monkeypatch, fit_once
-) -> None:
+):
     for number in range(15):  # more than one chunk
         copy = dataset.annotations / f"again{number}.json"
         copy.write_bytes((dataset.annotations / "1.json").read_bytes())
@@ -325,7 +323,7 @@ def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -
 @pytest.mark.parametrize("name", ["out", "out.zip"])
 def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
     cli, dataset, tmp_path, monkeypatch, held_out_once, fit_once, more, name
-) -> None:
+):
     monkeypatch.setattr(calibration, "leave_one_out", held_out_once)
     fits_come_from(fit_once, monkeypatch)
     for number in range(15):  # more than one chunk
@@ -362,7 +360,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in found}
 
 
-def test_a_killed_run_goes_on_but_fits_anew_what_changed(cli, dataset, tmp_path) -> None:
+def test_a_killed_run_goes_on_but_fits_anew_what_changed(cli, dataset, tmp_path):
     """What a kill leaves: a last line that was cut off; and somebody corrects a click meanwhile."""
     out = tmp_path / "out"
     left = out / ".calibrate.unfinished"
@@ -390,7 +388,7 @@ def test_a_killed_run_goes_on_but_fits_anew_what_changed(cli, dataset, tmp_path)
     }  # fmt: skip
 
 
-def test_resume_says_what_it_cannot_go_on_with(cli, dataset, tmp_path) -> None:
+def test_resume_says_what_it_cannot_go_on_with(cli, dataset, tmp_path):
     out = tmp_path / "out"
     asked = ("calibrate", dataset.root, out, "--resume")
     assert "give one of them" in cli(*asked, "--overwrite").stderr
@@ -404,7 +402,7 @@ def test_resume_says_what_it_cannot_go_on_with(cli, dataset, tmp_path) -> None:
     assert "is not what a run of this program leaves" in damaged.stderr
 
 
-def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path) -> None:
+def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path):
     kept = ("Middle line", "Side line top", "Circle central")
     content = json.loads((dataset.annotations / "3.json").read_text())
     few = {name: content[name][:2] for name in kept}
@@ -419,7 +417,7 @@ def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path) ->
     assert set(told.rpartition("): ")[2].split(", ")) == named
 
 
-def test_left_out_classes_are_written_as_in_the_files(cli, dataset, tmp_path) -> None:
+def test_left_out_classes_are_written_as_in_the_files(cli, dataset, tmp_path):
     path = dataset.annotations / "1.json"
     content = json.loads(path.read_text())
     content["Goal right post left"] = content.pop("Goal left post left ")
@@ -434,7 +432,7 @@ def test_left_out_classes_are_written_as_in_the_files(cli, dataset, tmp_path) ->
 
 
 @pytest.mark.parametrize("command", ["calibrate", "check", "field-size"])
-def test_tables_fit_a_narrow_terminal(cli, dataset, tmp_path, monkeypatch, command) -> None:
+def test_tables_fit_a_narrow_terminal(cli, dataset, tmp_path, monkeypatch, command):
     monkeypatch.setenv("COLUMNS", "80")
     out = [tmp_path / "out", "--shared-position"] if command == "calibrate" else []
     taus = [] if command == "check" else ["-t", 2, "-t", 5]
@@ -452,7 +450,7 @@ def test_tables_fit_a_narrow_terminal(cli, dataset, tmp_path, monkeypatch, comma
 
 
 @pytest.mark.parametrize("command", ["calibrate", "check", "field-size"])
-def test_other_files_are_no_datasets(cli, tmp_path, command) -> None:
+def test_other_files_are_no_datasets(cli, tmp_path, command):
     (tmp_path / "notes.txt").write_text("x")
     out = [tmp_path / "out"] if command == "calibrate" else []
     done = cli(command, tmp_path / "notes.txt", *out)
@@ -460,7 +458,7 @@ def test_other_files_are_no_datasets(cli, tmp_path, command) -> None:
     assert "is neither a folder nor an archive" in done.stderr
 
 
-def test_an_annotated_video_is_a_dataset_to_every_command(cli, dataset, tmp_path) -> None:
+def test_an_annotated_video_is_a_dataset_to_every_command(cli, dataset, tmp_path):
     video, folder = tmp_path / "match.mp4", tmp_path / "match_frames"
     video.write_bytes(b"no video")
     cameras, out = tmp_path / "cams", tmp_path / "out"
@@ -487,7 +485,7 @@ def test_an_annotated_video_is_a_dataset_to_every_command(cli, dataset, tmp_path
     assert "match.mp4: is a video, and pictures are needed" in done.stderr
 
 
-def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:
+def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path):
     folder = tmp_path / "vid" / "match_frames"
     folder.mkdir(parents=True)
     video = tmp_path / "vid" / "match.mp4"
@@ -513,7 +511,7 @@ def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:
     assert "several videos, name one: " in done.stderr
 
 
-def test_fits_that_the_official_evaluation_folds_into_the_picture_are_told(cli, tmp_path) -> None:
+def test_fits_that_the_official_evaluation_folds_into_the_picture_are_told(cli, tmp_path):
     pitch = Views(load_field("soccer"))
     rng = np.random.default_rng(0)
     annotations = tmp_path / "annotations"
@@ -532,7 +530,7 @@ def test_fits_that_the_official_evaluation_folds_into_the_picture_are_told(cli, 
     assert told.endswith(": wide")
 
 
-def test_a_camera_has_one_mean_error_in_calibrate_and_in_evaluate(cli, dataset, tmp_path) -> None:
+def test_a_camera_has_one_mean_error_in_calibrate_and_in_evaluate(cli, dataset, tmp_path):
     """At a tau no click is below, where the official evaluation takes all labels mirrored."""
     out = tmp_path / "fits"
     assert cli("calibrate", dataset.annotations, out, "-t", 0.0001).exit_code == 0
@@ -552,7 +550,7 @@ def test_a_camera_has_one_mean_error_in_calibrate_and_in_evaluate(cli, dataset, 
     assert any(r["mirrored"] and r["mean_reprojection_error"] > 100 for r in results)
 
 
-def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path) -> None:
+def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path):
     path = dataset.annotations / "1.json"
     content = json.loads(path.read_text())
     name = next(n for n in content if n.startswith("Circle"))
@@ -576,7 +574,7 @@ def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path) -> N
     assert refused.exit_code == 2
 
 
-def test_cameras_of_frames_that_are_gone_are_told(cli, dataset, tmp_path) -> None:
+def test_cameras_of_frames_that_are_gone_are_told(cli, dataset, tmp_path):
     out = tmp_path / "out"
     assert cli("calibrate", dataset.root, out, "--model", "P").exit_code == 0
     (dataset.annotations / "2.json").unlink()

@@ -1,7 +1,5 @@
 """``check`` names wrong labels frame by frame, in a table, as CSV and as JSON."""
 
-from __future__ import annotations
-
 import csv
 import json
 import zipfile
@@ -26,7 +24,7 @@ FRONT, SMALL = "Big rect. left main", "Small rect. left main"
 
 
 @pytest.mark.parametrize("kind", ["dataset", "annotations", "zip"])
-def test_a_swap_is_found_and_the_remedy_is_told(cli, dataset, tmp_path, kind) -> None:
+def test_a_swap_is_found_and_the_remedy_is_told(cli, dataset, tmp_path, kind):
     swap(dataset.annotations, "1", FRONT, SMALL)
     given = {"dataset": dataset.root, "annotations": dataset.annotations}.get(kind)
     if given is None:
@@ -49,7 +47,7 @@ def test_a_swap_is_found_and_the_remedy_is_told(cli, dataset, tmp_path, kind) ->
     assert "swap Left" in " ".join(done.stdout.split())
 
 
-def test_clean_frames_have_no_errors(cli, dataset, tmp_path) -> None:
+def test_clean_frames_have_no_errors(cli, dataset, tmp_path):
     """Their circles have three points each, which is worth a warning."""
     out = tmp_path / "findings.csv"
     done = cli("check", dataset.root, "-o", out, "--min-severity", "warning", "--fail-on", "error")
@@ -63,7 +61,7 @@ def test_clean_frames_have_no_errors(cli, dataset, tmp_path) -> None:
     assert "Worst findings" not in done.stdout
 
 
-def test_json_holds_the_remedies(cli, dataset, tmp_path) -> None:
+def test_json_holds_the_remedies(cli, dataset, tmp_path):
     swap(dataset.annotations, "1", FRONT, SMALL)
     out = tmp_path / "findings.json"
     assert cli("check", dataset.root, "-o", out, "--size", "1920x1080").exit_code == 0
@@ -75,7 +73,7 @@ def test_json_holds_the_remedies(cli, dataset, tmp_path) -> None:
     assert content["unreadable"] == []
 
 
-def test_damaged_files_and_classes_that_stand_twice_are_told(cli, dataset, tmp_path) -> None:
+def test_damaged_files_and_classes_that_stand_twice_are_told(cli, dataset, tmp_path):
     points = '[{"x": 0.1, "y": 0.1}, {"x": 0.5, "y": 0.1}]'
     (dataset.annotations / "2.json").write_text(
         f'{{"Middle line": {points}, "Middle line": {points}}}'
@@ -93,7 +91,7 @@ def test_damaged_files_and_classes_that_stand_twice_are_told(cli, dataset, tmp_p
     assert json.loads(as_json.read_text())["unreadable"][0]["frame"] == "2"
 
 
-def test_the_exit_code_can_depend_on_what_was_found(cli, dataset) -> None:
+def test_the_exit_code_can_depend_on_what_was_found(cli, dataset):
     assert cli("check", dataset.root).exit_code == 0
     assert cli("check", dataset.root, "--fail-on", "error").exit_code == 0
     assert cli("check", dataset.root, "--fail-on", "warning").exit_code == 1
@@ -114,13 +112,13 @@ def test_the_exit_code_can_depend_on_what_was_found(cli, dataset) -> None:
         ),
     ],
 )
-def test_requests_that_make_no_sense(cli, dataset, arguments, message) -> None:
+def test_requests_that_make_no_sense(cli, dataset, arguments, message):
     done = cli("check", dataset.root, *arguments)
     assert done.exit_code == 2
     assert message in done.stderr
 
 
-def test_nothing_is_written_over_what_is_read(cli, dataset, tmp_path) -> None:
+def test_nothing_is_written_over_what_is_read(cli, dataset, tmp_path):
     before = {p: p.read_bytes() for p in dataset.annotations.iterdir()}
     assert cli("check", dataset.root, "-o", dataset.annotations / "1.json").exit_code == 2
     assert cli("check", dataset.root, "-o", dataset.annotations / "found.json").exit_code == 2
@@ -129,7 +127,7 @@ def test_nothing_is_written_over_what_is_read(cli, dataset, tmp_path) -> None:
     assert "nothing to do" in cli("check", tmp_path / "empty").stderr
 
 
-def test_names_cannot_become_formulas(cli, dataset, tmp_path) -> None:
+def test_names_cannot_become_formulas(cli, dataset, tmp_path):
     swap(dataset.annotations, "1", FRONT, SMALL)
     (dataset.annotations / "1.json").rename(dataset.annotations / "=1+1.json")
     out = tmp_path / "findings.csv"
@@ -137,7 +135,7 @@ def test_names_cannot_become_formulas(cli, dataset, tmp_path) -> None:
     assert "'=1+1" in {row["frame"] for row in rows(out)}
 
 
-def test_frames_without_a_camera_are_counted(cli, dataset, tmp_path) -> None:
+def test_frames_without_a_camera_are_counted(cli, dataset, tmp_path):
     two = json.loads((dataset.annotations / "3.json").read_text())
     (dataset.annotations / "2.json").write_text("{}")
     (dataset.annotations / "3.json").write_text(json.dumps(dict(list(two.items())[:2])))
@@ -157,7 +155,7 @@ def test_frames_without_a_camera_are_counted(cli, dataset, tmp_path) -> None:
     assert "no element" not in cli("check", dataset.annotations / "1.json").stdout
 
 
-def test_classes_are_written_as_in_the_files(cli, dataset, tmp_path) -> None:
+def test_classes_are_written_as_in_the_files(cli, dataset, tmp_path):
     left, right = "Goal left post left ", "Goal left post right"
     swap(dataset.annotations, "1", left, right)
     out = tmp_path / "findings.csv"
@@ -169,7 +167,7 @@ def test_classes_are_written_as_in_the_files(cli, dataset, tmp_path) -> None:
     assert {n for r in rows(out) if r["frame"] == "1" for n in r["elements"].split("; ")} <= known
 
 
-def test_unknown_classes_and_pixels_are_errors(cli, dataset, tmp_path) -> None:
+def test_unknown_classes_and_pixels_are_errors(cli, dataset, tmp_path):
     path = dataset.annotations / "1.json"
     content = json.loads(path.read_text())
     content["Side line tpo"] = content.pop("Side line top")

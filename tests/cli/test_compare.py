@@ -1,7 +1,5 @@
 """``procc-annotator compare``: tables, files and pictures of two sources' disagreement."""
 
-from __future__ import annotations
-
 import csv
 import json
 import shutil
@@ -34,7 +32,7 @@ def other(dataset) -> Path:
     return folder
 
 
-def test_a_known_shift_is_found_in_every_frame(cli, dataset, other, tmp_path) -> None:
+def test_a_known_shift_is_found_in_every_frame(cli, dataset, other, tmp_path):
     out = tmp_path / "out.json"
     done = cli("compare", f"ours={dataset.cameras}", f"theirs={other}", dataset.root, "-o", out)
     assert done.exit_code == 0, done.output
@@ -62,7 +60,7 @@ def test_a_known_shift_is_found_in_every_frame(cli, dataset, other, tmp_path) ->
     assert summary["legacy"]["projection_m"]["median"] == pytest.approx(0.5, abs=1e-6)
 
 
-def test_distances_next_to_a_horizon_stay_readable(cli, dataset, other, tmp_path) -> None:
+def test_distances_next_to_a_horizon_stay_readable(cli, dataset, other, tmp_path):
     """A camera that looks up sees some of the field kilometres away; files hold the number."""
     up = camera_file(PANS["1"], tilt_degrees=88.0)
     (other / "camera_1.json").write_text(json.dumps(up))
@@ -75,7 +73,7 @@ def test_distances_next_to_a_horizon_stay_readable(cli, dataset, other, tmp_path
     assert image["legacy"]["projection_lost"] > 0
 
 
-def test_csv_has_a_row_a_frame(cli, dataset, other, tmp_path) -> None:
+def test_csv_has_a_row_a_frame(cli, dataset, other, tmp_path):
     out = tmp_path / "out.csv"
     done = cli("compare", dataset.cameras, other, "-o", out)
     assert done.exit_code == 0, done.output
@@ -88,7 +86,7 @@ def test_csv_has_a_row_a_frame(cli, dataset, other, tmp_path) -> None:
     assert rows["1"]["error"] == ""
 
 
-def test_frames_of_one_source_only_are_named(cli, dataset, other) -> None:
+def test_frames_of_one_source_only_are_named(cli, dataset, other):
     (other / "camera_2.json").unlink()
     (dataset.cameras / "camera_10.json").unlink()
     done = cli("compare", f"a={dataset.cameras}", f"b={other}", dataset.root)
@@ -98,7 +96,7 @@ def test_frames_of_one_source_only_are_named(cli, dataset, other) -> None:
     assert "only in b, not compared: 1 frame (10)" in done.stderr
 
 
-def test_a_dataset_may_be_annotations_alone_or_zipped(cli, dataset, other, tmp_path) -> None:
+def test_a_dataset_may_be_annotations_alone_or_zipped(cli, dataset, other, tmp_path):
     (dataset.annotations / "11.json").unlink()
     archive = tmp_path / "annotations.zip"
     with zipfile.ZipFile(archive, "w") as target:
@@ -110,7 +108,7 @@ def test_a_dataset_may_be_annotations_alone_or_zipped(cli, dataset, other, tmp_p
         assert "in 4 frames" in done.stdout
 
 
-def test_a_damaged_camera_is_listed_and_the_rest_compared(cli, dataset, other, tmp_path) -> None:
+def test_a_damaged_camera_is_listed_and_the_rest_compared(cli, dataset, other, tmp_path):
     (other / "camera_2.json").write_text("{")
     out = tmp_path / "out.csv"
     done = cli("compare", dataset.cameras, other, dataset.root, "-o", out)
@@ -130,13 +128,13 @@ def test_a_damaged_camera_is_listed_and_the_rest_compared(cli, dataset, other, t
         (lambda d, o: (d.cameras, f"b:wc14={o}"), "b has no camera (format wc14)"),
     ],
 )
-def test_a_request_that_makes_no_sense_is_refused(cli, dataset, other, change, said) -> None:
+def test_a_request_that_makes_no_sense_is_refused(cli, dataset, other, change, said):
     done = cli("compare", *change(dataset, other))
     assert done.exit_code == 2
     assert said in done.stderr
 
 
-def test_sources_without_a_frame_in_common_are_refused(cli, dataset, other, tmp_path) -> None:
+def test_sources_without_a_frame_in_common_are_refused(cli, dataset, other, tmp_path):
     for path in list(other.iterdir()):
         path.rename(other / path.name.replace("camera_", "camera_x"))
     done = cli("compare", dataset.cameras, other)
@@ -150,7 +148,7 @@ def test_sources_without_a_frame_in_common_are_refused(cli, dataset, other, tmp_
 # -------------------------------------------------------------------------------------- pictures
 
 
-def test_pictures_of_the_worst_frames(cli, dataset, other, tmp_path) -> None:
+def test_pictures_of_the_worst_frames(cli, dataset, other, tmp_path):
     far = camera_file(PANS["10"], position_meters=[0.0, 64.0, -14.0])
     (other / "camera_10.json").write_text(json.dumps(far))
     out = tmp_path / "pictures"
@@ -171,14 +169,14 @@ def test_pictures_of_the_worst_frames(cli, dataset, other, tmp_path) -> None:
     assert (np.abs(picture[:, 960:] - expected).max(axis=2) <= 3).sum() > 2000
 
 
-def test_frames_without_a_picture_are_drawn_on_grey(cli, dataset, other, tmp_path) -> None:
+def test_frames_without_a_picture_are_drawn_on_grey(cli, dataset, other, tmp_path):
     out = tmp_path / "pictures"
     done = cli("compare", dataset.cameras, other, dataset.annotations, "--pictures", out, "-n", 0)
     assert done.exit_code == 0, done.output
     assert sorted(p.stem for p in out.iterdir()) == sorted(PANS)
 
 
-def test_a_large_picture_gets_a_large_panel(cli, dataset, other, tmp_path) -> None:
+def test_a_large_picture_gets_a_large_panel(cli, dataset, other, tmp_path):
     large = np.full((1080, 1920, 3), 90, np.uint8)
     cv2.imwrite(str(dataset.root / "1.jpg"), large)
     cv2.imwrite(str(dataset.root / "2.jpg"), large[:180, :320])
@@ -189,7 +187,7 @@ def test_a_large_picture_gets_a_large_panel(cli, dataset, other, tmp_path) -> No
     assert cv2.imread(str(out / "2.png")).shape == (540, 320 + 430, 3)
 
 
-def test_a_damaged_picture_is_listed(cli, dataset, other, tmp_path) -> None:
+def test_a_damaged_picture_is_listed(cli, dataset, other, tmp_path):
     (dataset.root / "2.jpg").write_bytes(b"not a picture")
     done = cli(
         "compare", dataset.cameras, other, dataset.root, "--pictures", tmp_path / "out", "-n", 0
@@ -199,7 +197,7 @@ def test_a_damaged_picture_is_listed(cli, dataset, other, tmp_path) -> None:
     assert "2.jpg" in done.stderr
 
 
-def test_pictures_of_the_dataset_are_never_replaced(cli, dataset, other) -> None:
+def test_pictures_of_the_dataset_are_never_replaced(cli, dataset, other):
     before = {p: p.read_bytes() for p in dataset.root.glob("*.jpg")}
     done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", dataset.root)
     assert done.exit_code == 2
@@ -208,7 +206,7 @@ def test_pictures_of_the_dataset_are_never_replaced(cli, dataset, other) -> None
 
 
 @pytest.mark.parametrize("which", ["a", "b", "dataset", "alias", "new"])
-def test_outputs_never_replace_what_is_read(cli, dataset, other, tmp_path, which) -> None:
+def test_outputs_never_replace_what_is_read(cli, dataset, other, tmp_path, which):
     alias = tmp_path / "alias.json"
     alias.symlink_to(dataset.cameras / "camera_1.json")
     out = {
@@ -226,7 +224,7 @@ def test_outputs_never_replace_what_is_read(cli, dataset, other, tmp_path, which
 
 
 @pytest.mark.parametrize("where", ["cameras", "other", "annotations"])
-def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where) -> None:
+def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where):
     before = set(dataset.root.rglob("*"))
     out = dataset.root / where
     done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", out)
@@ -238,7 +236,7 @@ def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where) -
 # ------------------------------------------------------------------------------------- real data
 
 
-def test_some_of_the_world_cup(cli, shared_data, tmp_path) -> None:
+def test_some_of_the_world_cup(cli, shared_data, tmp_path):
     for source, name in (("homographies_carwc", "{}.npy"), ("cameras_nbjw", "camera_{}.json")):
         (tmp_path / source).mkdir()
         for path in (shared_data / "wc14" / source / name.format(i) for i in range(130, 150)):
@@ -261,7 +259,7 @@ def test_some_of_the_world_cup(cli, shared_data, tmp_path) -> None:
 
 def test_requests_that_make_no_sense_are_refused_before_the_work(
     cli, dataset, tmp_path, monkeypatch
-) -> None:
+):
     def never(*_: object, **__: object) -> None:
         raise AssertionError("nothing may be compared")
 
@@ -274,7 +272,7 @@ def test_requests_that_make_no_sense_are_refused_before_the_work(
         assert why in done.stderr
 
 
-def test_options_of_chance_need_what_asks_for_it(cli, dataset, tmp_path) -> None:
+def test_options_of_chance_need_what_asks_for_it(cli, dataset, tmp_path):
     (tmp_path / "t.csv").write_text("frame,day\n1,a\n")
     for option in (("--tags", tmp_path / "t.csv"), ("--seed", 3)):
         done = cli("compare", f"a={dataset.cameras}", f"b={dataset.cameras}", *option)
@@ -282,7 +280,7 @@ def test_options_of_chance_need_what_asks_for_it(cli, dataset, tmp_path) -> None
         assert "need --intervals" in done.stderr
 
 
-def test_cameras_in_a_dataset_of_another_sport_are_told(cli, sample_data) -> None:
+def test_cameras_in_a_dataset_of_another_sport_are_told(cli, sample_data):
     court = sample_data / "basketball" / "cameras"
     done = cli("compare", court / "bad", court / "true")
     assert "the field Soccer does not know any of the" in done.stderr
@@ -304,7 +302,7 @@ def far(dataset) -> Path:
     return folder
 
 
-def test_intervals_are_about_means_and_medians_of_frames(cli, dataset, far, tmp_path) -> None:
+def test_intervals_are_about_means_and_medians_of_frames(cli, dataset, far, tmp_path):
     out = tmp_path / "out.json"
     done = cli("compare", dataset.cameras, f"far={far}", "--intervals", "-o", out)
     assert done.exit_code == 0, done.output
@@ -329,7 +327,7 @@ def test_intervals_are_about_means_and_medians_of_frames(cli, dataset, far, tmp_
 
 def test_of_three_sources_the_nearer_one_is_told_where_frames_are_enough(
     cli, dataset, other, far, tmp_path
-) -> None:
+):
     out = tmp_path / "out.json"
     arguments = ("compare", f"true={dataset.cameras}", f"near={other}", "--versus", f"far={far}")
     assert cli(*arguments, "-o", out).exit_code == 0
@@ -356,7 +354,7 @@ def test_of_three_sources_the_nearer_one_is_told_where_frames_are_enough(
     assert "clusters by day" in content["notes"][0]
 
 
-def test_a_third_source_that_shares_no_frame_is_one_line(cli, dataset, other, tmp_path) -> None:
+def test_a_third_source_that_shares_no_frame_is_one_line(cli, dataset, other, tmp_path):
     third = tmp_path / "third"
     third.mkdir()
     (third / "camera_77.json").write_text(json.dumps(camera_file(0.0)))

@@ -1,7 +1,5 @@
 """``procc-annotator convert``: what leaves comes back, and nothing that is read is ever changed."""
 
-from __future__ import annotations
-
 import json
 import zipfile
 from pathlib import Path
@@ -37,7 +35,7 @@ def contents(folder: Path) -> dict[str, bytes]:
         ("soccernet-gsr", "img1"),
     ],
 )
-def test_pictures_go_along_where_readers_look_for_them(cli, dataset, tmp_path, to, folder) -> None:
+def test_pictures_go_along_where_readers_look_for_them(cli, dataset, tmp_path, to, folder):
     out = tmp_path / "out"
     done = cli("convert", dataset.root, out, "--to", to, "--pictures")
     assert done.exit_code == 0, done.output
@@ -55,7 +53,7 @@ def test_pictures_go_along_where_readers_look_for_them(cli, dataset, tmp_path, t
             assert there == json.loads(path.read_text())
 
 
-def test_pictures_that_are_not_there_are_told(cli, dataset, tmp_path) -> None:
+def test_pictures_that_are_not_there_are_told(cli, dataset, tmp_path):
     (dataset.root / "3.jpg").unlink()
     out = tmp_path / "out"
     done = cli("convert", dataset.root, out, "--to", "cvat", "--pictures", "--size", "960x540")
@@ -67,7 +65,7 @@ def test_pictures_that_are_not_there_are_told(cli, dataset, tmp_path) -> None:
     assert not (tmp_path / "m").exists()
 
 
-def test_sizes_and_names_are_those_of_the_pictures(cli, dataset, tmp_path) -> None:
+def test_sizes_and_names_are_those_of_the_pictures(cli, dataset, tmp_path):
     for source in (dataset.root, dataset.annotations):
         out = tmp_path / "out" / source.name
         assert cli("convert", source, out, "--to", "labelme").exit_code == 0
@@ -76,7 +74,7 @@ def test_sizes_and_names_are_those_of_the_pictures(cli, dataset, tmp_path) -> No
         assert content["imagePath"] == "10.jpg"
 
 
-def test_without_pictures_the_size_has_to_be_given(cli, dataset, tmp_path) -> None:
+def test_without_pictures_the_size_has_to_be_given(cli, dataset, tmp_path):
     for path in dataset.root.glob("*.jpg"):
         path.unlink()
     done = cli("convert", dataset.annotations, tmp_path / "out", "--to", "cvat")
@@ -91,7 +89,7 @@ def test_without_pictures_the_size_has_to_be_given(cli, dataset, tmp_path) -> No
     assert "note: pictures were not found" in done.stderr
 
 
-def test_archives_and_single_files(cli, dataset, tmp_path) -> None:
+def test_archives_and_single_files(cli, dataset, tmp_path):
     assert cli("convert", dataset.root, tmp_path / "a.zip", "--to", "cvat").exit_code == 0
     assert cli("convert", dataset.root, tmp_path / "b.zip", "--to", "cvat").exit_code == 0
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
@@ -110,7 +108,7 @@ def test_archives_and_single_files(cli, dataset, tmp_path) -> None:
     assert over.exit_code == 0
 
 
-def test_masks_show_what_was_clicked(cli, dataset, tmp_path) -> None:
+def test_masks_show_what_was_clicked(cli, dataset, tmp_path):
     done = cli("convert", dataset.root, tmp_path / "m", "--to", "masks", "--line-width", 6,
                "--split", "train")  # fmt: skip
     assert done.exit_code == 0, done.output
@@ -124,7 +122,7 @@ def test_masks_show_what_was_clicked(cli, dataset, tmp_path) -> None:
     assert mask.shape == (540, 960)
 
 
-def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_path) -> None:
+def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_path):
     (dataset.annotations / "2.json").write_text('{"Middle line": [{"x": 1}]}')
     done = cli("convert", dataset.root, tmp_path / "out", "--to", "labelme")
     assert done.exit_code == 1
@@ -157,7 +155,7 @@ def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_pa
         (lambda d, t: [d.root, t / "x", "--to", "cvat", "--into", t / "a"], "written into"),
     ],
 )
-def test_requests_that_make_no_sense(cli, dataset, tmp_path, arguments, said) -> None:
+def test_requests_that_make_no_sense(cli, dataset, tmp_path, arguments, said):
     before = contents(dataset.root)
     done = cli("convert", *arguments(dataset, tmp_path))
     assert done.exit_code == 2
@@ -167,7 +165,7 @@ def test_requests_that_make_no_sense(cli, dataset, tmp_path, arguments, said) ->
     assert not (tmp_path / "x").exists()
 
 
-def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path) -> None:
+def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path):
     cvat = dataset.root / "annotations.xml"
     assert cli("convert", dataset.annotations, cvat, "--to", "cvat").exit_code == 0
     before = cvat.read_bytes()
@@ -177,7 +175,7 @@ def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path) ->
     assert cvat.read_bytes() == before
 
 
-def test_a_mask_that_would_fill_the_memory_is_refused(cli, dataset, tmp_path) -> None:
+def test_a_mask_that_would_fill_the_memory_is_refused(cli, dataset, tmp_path):
     for path in dataset.root.glob("*.jpg"):
         path.unlink()
     done = cli("convert", dataset.annotations, tmp_path / "m", "--to", "masks", "--size",
@@ -187,7 +185,7 @@ def test_a_mask_that_would_fill_the_memory_is_refused(cli, dataset, tmp_path) ->
     assert not (tmp_path / "m").exists()
 
 
-def test_masks_never_replace_the_pictures(cli, dataset, tmp_path) -> None:
+def test_masks_never_replace_the_pictures(cli, dataset, tmp_path):
     for path in dataset.root.glob("*.jpg"):
         cv2.imwrite(str(path.with_suffix(".png")), cv2.imread(str(path)))
         path.unlink()
@@ -198,7 +196,7 @@ def test_masks_never_replace_the_pictures(cli, dataset, tmp_path) -> None:
     assert contents(dataset.root) == before
 
 
-def test_files_that_are_there_stay(cli, dataset, tmp_path) -> None:
+def test_files_that_are_there_stay(cli, dataset, tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "2.json").write_text("mine")
     done = cli("convert", dataset.root, tmp_path / "out", "--to", "labelme")
@@ -208,7 +206,7 @@ def test_files_that_are_there_stay(cli, dataset, tmp_path) -> None:
     assert (tmp_path / "out" / "2.json").read_text() == "mine"
 
 
-def test_labelme_files_may_lie_beside_the_pictures(cli, dataset, tmp_path) -> None:
+def test_labelme_files_may_lie_beside_the_pictures(cli, dataset, tmp_path):
     """They are another program's way; the dataset's own annotations stay in annotations/."""
     before = contents(dataset.annotations)
     done = cli("convert", dataset.annotations, dataset.root, "--to", "labelme")
@@ -217,7 +215,7 @@ def test_labelme_files_may_lie_beside_the_pictures(cli, dataset, tmp_path) -> No
     assert (dataset.root / "1.json").exists()
 
 
-def test_into_keeps_what_the_file_holds(cli, dataset, tmp_path) -> None:
+def test_into_keeps_what_the_file_holds(cli, dataset, tmp_path):
     clip = {"info": {"version": "1.3"}, "images": [
         {"image_id": "1", "file_name": "3.jpg", "width": 960, "height": 540}],
         "annotations": [{"id": "9", "image_id": "1", "category_id": 1, "track_id": 4}],
@@ -251,9 +249,7 @@ def labels_v3(actions: list[str], replays: list[str]) -> dict[str, Any]:
     }
 
 
-def test_a_frame_of_two_pictures_of_the_file_written_into_is_refused(
-    cli, dataset, tmp_path
-) -> None:
+def test_a_frame_of_two_pictures_of_the_file_written_into_is_refused(cli, dataset, tmp_path):
     own, out = tmp_path / "Labels-v3.json", tmp_path / "new.json"
     own.write_text(json.dumps(labels_v3(["1.png", "2.png"], ["1.jpg"])))
     done = cli("convert", dataset.root, out, "--to", "soccernet-v3", "--into", own)
@@ -265,7 +261,7 @@ def test_a_frame_of_two_pictures_of_the_file_written_into_is_refused(
     assert after["actions"]["2.png"]["lines"]
 
 
-def test_the_file_written_into_tells_the_sizes(cli, dataset, tmp_path) -> None:
+def test_the_file_written_into_tells_the_sizes(cli, dataset, tmp_path):
     for path in dataset.root.glob("*.jpg"):
         path.unlink()
     own, out = tmp_path / "Labels-v3.json", tmp_path / "new.json"
@@ -280,7 +276,7 @@ def test_the_file_written_into_tells_the_sizes(cli, dataset, tmp_path) -> None:
     assert line["points"][:2] == pytest.approx([1919 * points[0]["x"], 1079 * points[0]["y"]])
 
 
-def test_pictures_in_several_folders_are_frames_by_their_paths(cli, dataset, tmp_path) -> None:
+def test_pictures_in_several_folders_are_frames_by_their_paths(cli, dataset, tmp_path):
     out = tmp_path / "annotations.xml"
     assert cli("convert", dataset.root, out, "--to", "cvat").exit_code == 0
     out.write_text(out.read_text().replace('name="2.jpg"', 'name="other/1.png"'))
@@ -290,7 +286,7 @@ def test_pictures_in_several_folders_are_frames_by_their_paths(cli, dataset, tmp
     assert (tmp_path / "back" / "1.json").is_file()
 
 
-def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path) -> None:
+def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path):
     out = tmp_path / "annotations.xml"
     assert cli("convert", dataset.root, out, "--to", "cvat").exit_code == 0
     out.write_text(out.read_text().replace('name="2.jpg"', 'name="1.png"'))
@@ -300,7 +296,7 @@ def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path) -> None:
     assert len(list((tmp_path / "back").iterdir())) == 4
 
 
-def test_every_target_of_cameras_can_be_asked_for(cli, sample_data, tmp_path) -> None:
+def test_every_target_of_cameras_can_be_asked_for(cli, sample_data, tmp_path):
     assert set(CAMERA_TARGETS.values()) == set(WRITTEN)
     cameras = sample_data / "cameras" / "pinhole"
     for target in CAMERA_TARGETS:
@@ -320,9 +316,7 @@ def test_every_target_of_cameras_can_be_asked_for(cli, sample_data, tmp_path) ->
     assert cli(*back).stdout.split() == cli(*back[:2], cameras, "--planar-only").stdout.split()
 
 
-def test_cameras_of_no_stated_size_are_not_scaled_without_a_word(
-    cli, sample_data, tmp_path
-) -> None:
+def test_cameras_of_no_stated_size_are_not_scaled_without_a_word(cli, sample_data, tmp_path):
     cameras = sample_data / "cameras" / "pinhole"
     done = cli("convert", cameras, tmp_path / "a", "--to", "krt", "--size", "1280x720")
     assert "note: not scaled to 1280x720: names no picture size" in done.stderr
@@ -332,7 +326,7 @@ def test_cameras_of_no_stated_size_are_not_scaled_without_a_word(
     assert json.loads(first.read_text())["width"] == 1280
 
 
-def test_cameras_are_handed_to_their_own_export(cli, dataset, tmp_path, monkeypatch) -> None:
+def test_cameras_are_handed_to_their_own_export(cli, dataset, tmp_path, monkeypatch):
     calls: list[Any] = []
 
     def export_cameras(cameras: Any, out: Path, to: str, **more: Any) -> object:
@@ -369,9 +363,7 @@ def wide(tmp_path) -> Path:
     return folder
 
 
-def test_lines_that_the_official_evaluation_folds_into_the_picture_are_told(
-    cli, wide, tmp_path
-) -> None:
+def test_lines_that_the_official_evaluation_folds_into_the_picture_are_told(cli, wide, tmp_path):
     for target, out in (("soccernet-camera", tmp_path / "out"), ("submission", tmp_path / "s.zip")):
         done = cli("convert", wide, out, "--to", target, "--camera-size", "960x540")
         assert done.exit_code == 0, done.stderr
@@ -386,7 +378,7 @@ def test_lines_that_the_official_evaluation_folds_into_the_picture_are_told(
     assert "fold" not in cli("convert", wide, tmp_path / "k", "--to", "krt").stderr
 
 
-def test_a_fold_is_told_where_the_official_protocol_shows_more_than_the_other(wide) -> None:
+def test_a_fold_is_told_where_the_official_protocol_shows_more_than_the_other(wide):
     for name, more in (("a", set()), ("b", {"Big rect. left bottom", "Big rect. right bottom"})):
         path = wide / f"camera_{name}.json"
         camera = read_camera(path.read_bytes(), path=str(path)).camera

@@ -1,7 +1,5 @@
 """The program in a desktop's menus: what is installed, that tools accept it, that it goes again."""
 
-from __future__ import annotations
-
 import configparser
 import re
 import shutil
@@ -37,7 +35,7 @@ def files(folder: Path) -> set[str]:
     return {n for n in own if not re.match(r"mime/(?!packages/)", n)}
 
 
-def test_everything_is_installed_and_removed_and_nothing_else_is_touched(cli, home) -> None:
+def test_everything_is_installed_and_removed_and_nothing_else_is_touched(cli, home):
     done = cli("desktop-entry", "--install")
     assert done.exit_code == 0, done.output
     icons = {f"icons/hicolor/{s}x{s}/apps/{ID}.png" for s in (16, 24, 32, 48, 64, 128, 256, 512)}
@@ -58,7 +56,7 @@ def test_everything_is_installed_and_removed_and_nothing_else_is_touched(cli, ho
 
 def test_the_entry_starts_this_installation_whatever_its_path_is_like(
     cli, home, tmp_path, monkeypatch
-) -> None:
+):
     place = tmp_path / 'a "b" $c 100% \\ d'
     place.mkdir()
     (place / "procc-annotator-window").touch()
@@ -74,7 +72,7 @@ def test_the_entry_starts_this_installation_whatever_its_path_is_like(
     assert program == str(place / "procc-annotator-window")
 
 
-def test_the_tools_of_desktops_accept_the_files(cli, home) -> None:
+def test_the_tools_of_desktops_accept_the_files(cli, home):
     assert cli("desktop-entry", "--install").exit_code == 0
     checks = {
         "desktop-file-validate": ("applications", ".desktop", []),
@@ -95,7 +93,7 @@ def test_the_tools_of_desktops_accept_the_files(cli, home) -> None:
         pytest.skip("neither desktop-file-validate nor appstreamcli is installed")
 
 
-def test_a_folder_that_cannot_be_written_is_one_line(cli, tmp_path, monkeypatch) -> None:
+def test_a_folder_that_cannot_be_written_is_one_line(cli, tmp_path, monkeypatch):
     (tmp_path / "file").touch()
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "file"))
     done = cli("desktop-entry", "--install")

@@ -1,7 +1,5 @@
 """``procc-annotator evaluate`` as a user runs it."""
 
-from __future__ import annotations
-
 import csv
 import errno
 import json
@@ -37,7 +35,7 @@ def images(path: Path) -> dict[str, dict[str, Any]]:
     return {image["name"]: image for image in load(path)["images"]}
 
 
-def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
+def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path):
     out = tmp_path / "out.json"
     done = cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "--output", out)
     assert done.exit_code == 0, done.output
@@ -65,7 +63,7 @@ def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
     assert summary["per_class"]["Middle line"]["fp"] == 0
 
 
-def test_lines_lie_where_the_rules_measure_unless_told(cli, dataset, tmp_path) -> None:
+def test_lines_lie_where_the_rules_measure_unless_told(cli, dataset, tmp_path):
     def scored(*arguments: str) -> dict[str, Any]:
         out = tmp_path / "out.json"
         done = cli("evaluate", *dataset.set_arguments, *arguments, "--output", out)
@@ -89,7 +87,7 @@ def test_lines_lie_where_the_rules_measure_unless_told(cli, dataset, tmp_path) -
     assert "'edge' is not one of measured, middle" in done.stderr
 
 
-def test_tables_name_protocol_and_size(cli, dataset) -> None:
+def test_tables_name_protocol_and_size(cli, dataset):
     done = cli("evaluate", *dataset.set_arguments, "--protocol", "procc", "--size", "1280x720")
     assert done.exit_code == 0, done.output
     titles = [line for line in done.stdout.splitlines() if "(procc, 1280x720)" in line]
@@ -99,7 +97,7 @@ def test_tables_name_protocol_and_size(cli, dataset) -> None:
     assert "Classes" in titles[2]
 
 
-def test_worst_frame_comes_first(cli, dataset) -> None:
+def test_worst_frame_comes_first(cli, dataset):
     dataset.write_camera("3", camera_file(pan=1.0))
     done = cli("evaluate", *dataset.set_arguments)
     worst = done.stdout.split("Worst 5 frames")[1].split("Classes")[0]
@@ -107,7 +105,7 @@ def test_worst_frame_comes_first(cli, dataset) -> None:
     assert rows[0] == "3"
 
 
-def test_missing_camera_lowers_completeness_only(cli, dataset, tmp_path) -> None:
+def test_missing_camera_lowers_completeness_only(cli, dataset, tmp_path):
     (dataset.cameras / "camera_3.json").unlink()
     out = tmp_path / "out.json"
     done = cli("evaluate", *dataset.set_arguments, "-o", out)
@@ -121,7 +119,7 @@ def test_missing_camera_lowers_completeness_only(cli, dataset, tmp_path) -> None
     assert without["results"] == {}
 
 
-def test_camera_without_annotation_is_reported_and_not_counted(cli, dataset, tmp_path) -> None:
+def test_camera_without_annotation_is_reported_and_not_counted(cli, dataset, tmp_path):
     (dataset.annotations / "3.json").unlink()
     out = tmp_path / "out.json"
     done = cli("evaluate", *dataset.set_arguments, "-o", out)
@@ -131,7 +129,7 @@ def test_camera_without_annotation_is_reported_and_not_counted(cli, dataset, tmp
     assert "3" not in images(out)
 
 
-def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path) -> None:
+def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path):
     path = dataset.write_camera("3", '{"pan_degrees": 1.0')
     out = tmp_path / "out.json"
     done = cli("evaluate", *dataset.set_arguments, "-o", out)
@@ -144,7 +142,7 @@ def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path) 
     assert load(out)["summary"]["5"]["completeness"] == pytest.approx(0.8)
 
 
-def test_a_picture_that_is_called_like_a_camera_is_named(cli, dataset) -> None:
+def test_a_picture_that_is_called_like_a_camera_is_named(cli, dataset):
     shutil.copy(dataset.root / "1.jpg", dataset.root / "camera_7.jpg")
     shutil.copy(dataset.annotations / "1.json", dataset.annotations / "camera_7.json")
     done = cli("evaluate", *dataset.set_arguments)
@@ -152,7 +150,7 @@ def test_a_picture_that_is_called_like_a_camera_is_named(cli, dataset) -> None:
     assert "note: camera_7.jpg has a name that files of cameras have" in done.stderr
 
 
-def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path) -> None:
+def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path):
     path = dataset.annotations / "2.json"
     path.write_text('{"Middle line": [{"x": 0.5}]}')
     out = tmp_path / "out.json"
@@ -164,7 +162,7 @@ def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path) ->
     assert images(out)["2"]["results"] == {}
 
 
-def test_csv_has_one_row_an_image_and_threshold(cli, dataset, tmp_path) -> None:
+def test_csv_has_one_row_an_image_and_threshold(cli, dataset, tmp_path):
     (dataset.cameras / "camera_11.json").unlink()
     out = tmp_path / "out.csv"
     assert cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "-o", out).exit_code == 0
@@ -178,7 +176,7 @@ def test_csv_has_one_row_an_image_and_threshold(cli, dataset, tmp_path) -> None:
     assert rows[-1]["error"] == "no camera"
 
 
-def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
+def test_homographies_say_how_goals_count(cli, dataset, tmp_path):
     folder = tmp_path / "homographies"
     folder.mkdir()
     # Image px (1280x720) -> yards of a pitch seen from straight above.
@@ -215,7 +213,7 @@ def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
         (["--cameras", "a=b"], "--cameras NAME=PATH"),
     ],
 )
-def test_bad_usage_is_one_clear_line_and_2(cli, dataset, arguments, says) -> None:
+def test_bad_usage_is_one_clear_line_and_2(cli, dataset, arguments, says):
     done = cli("evaluate", *dataset.set_arguments, *arguments)
     assert done.exit_code == 2
     assert says in done.stderr
@@ -223,7 +221,7 @@ def test_bad_usage_is_one_clear_line_and_2(cli, dataset, arguments, says) -> Non
     assert done.stdout == ""
 
 
-def test_nothing_to_do_is_2(cli, dataset, tmp_path) -> None:
+def test_nothing_to_do_is_2(cli, dataset, tmp_path):
     empty = tmp_path / "empty"
     empty.mkdir()
     elsewhere = tmp_path / "elsewhere"
@@ -241,7 +239,7 @@ def test_nothing_to_do_is_2(cli, dataset, tmp_path) -> None:
         assert says in done.stderr
 
 
-def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path) -> None:
+def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path):
     out = tmp_path / "out.json"
     out.write_text("old")
     for path in dataset.annotations.iterdir():
@@ -252,7 +250,7 @@ def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path
     assert [p.name for p in tmp_path.iterdir() if p.name.startswith(".")] == []
 
 
-def test_progress_shows_on_a_terminal_only(dataset) -> None:
+def test_progress_shows_on_a_terminal_only(dataset):
     command = [sys.executable, "-m", "procc_annotator", "evaluate", *dataset.set_arguments]
     piped = subprocess.run(command, check=True, capture_output=True, text=True)
     assert piped.stderr == ""
@@ -265,7 +263,7 @@ def test_progress_shows_on_a_terminal_only(dataset) -> None:
     assert "scoring" in shown
 
 
-def test_figures_are_never_cut(cli, dataset, monkeypatch) -> None:
+def test_figures_are_never_cut(cli, dataset, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
     wide = cli("evaluate", *dataset.set_arguments).stdout
     figures = sorted(re.findall(r"\d+\.\d+", wide))
@@ -276,7 +274,7 @@ def test_figures_are_never_cut(cli, dataset, monkeypatch) -> None:
         assert sorted(re.findall(r"\d+\.\d+", narrow)) == figures
 
 
-def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
+def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path):
     annotation = dataset.annotations / "1.json"
     before = annotation.read_bytes()
     done = cli("evaluate", *dataset.set_arguments, "-o", annotation)
@@ -288,7 +286,7 @@ def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
 @pytest.mark.parametrize("full_at", ["output", "both"])
 def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
     cli, dataset, tmp_path, monkeypatch, full_at
-) -> None:
+):
     output, table = tmp_path / "o.json", tmp_path / "t.csv"
     output.write_text("before")
     calls: list[int] = []
@@ -309,13 +307,13 @@ def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
     assert not list(tmp_path.glob(".*"))
 
 
-def test_a_missing_file_of_tags_is_no_matter_of_permissions(cli, dataset, tmp_path) -> None:
+def test_a_missing_file_of_tags_is_no_matter_of_permissions(cli, dataset, tmp_path):
     done = cli("evaluate", *dataset.set_arguments, "--tags", tmp_path / "nope.csv")
     assert done.exit_code == 2
     assert "nope.csv: cannot be read: No such file or directory (check its name)" in done.stderr
 
 
-def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:
+def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path):
     tags = tmp_path / "tags.csv"
     tags.write_text("frame,stadium\n1,north\n")
     done = cli("evaluate", *dataset.set_arguments, "--tags", tags, "-o", tags)
@@ -324,7 +322,7 @@ def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:
     assert tags.read_text() == "frame,stadium\n1,north\n"
 
 
-def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path) -> None:
+def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path):
     doubted = cli("evaluate", *dataset.set_arguments, "--size", "1920x1080")
     assert "principal point far from the middle of 1920x1080" in doubted.stderr
     for other in ("800x600", "640x480", "960x720"):
@@ -339,7 +337,7 @@ def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp
     assert load(tmp_path / "o.json")["summary"]["5"]["mean_jac"] == 1.0
 
 
-def test_allowed_mirrored_labels_are_written_down(cli, dataset, tmp_path) -> None:
+def test_allowed_mirrored_labels_are_written_down(cli, dataset, tmp_path):
     arguments = ["evaluate", *dataset.set_arguments, "--protocol", "procc", "--mirrored"]
     cli(*arguments, "-o", tmp_path / "o.json")
     cli(*arguments, "-o", tmp_path / "o.csv")
@@ -349,7 +347,7 @@ def test_allowed_mirrored_labels_are_written_down(cli, dataset, tmp_path) -> Non
     assert {(r["protocol"], r["options"]) for r in rows} == {("procc", "mirrored labels allowed")}
 
 
-def test_several_splits_are_named_to_choose_from(cli, dataset, tmp_path) -> None:
+def test_several_splits_are_named_to_choose_from(cli, dataset, tmp_path):
     for split in ("train", "valid"):
         shutil.copytree(dataset.annotations, tmp_path / "sets" / split)
     done = cli("evaluate", tmp_path / "sets", dataset.cameras)
@@ -357,7 +355,7 @@ def test_several_splits_are_named_to_choose_from(cli, dataset, tmp_path) -> None
     assert "it holds 2 folders (train, valid), choose one" in done.stderr
 
 
-def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> None:
+def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path):
     files = [tmp_path / "whole.json", tmp_path / "inner.json"]
     for place, out in zip((dataset.root, dataset.annotations), files, strict=True):
         done = cli("evaluate", place, dataset.cameras, "--output", out)
@@ -368,7 +366,7 @@ def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> 
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_the_worst_frames_are_told_as_they_are_scored_on_a_tie(cli, dataset, tmp_path) -> None:
+def test_the_worst_frames_are_told_as_they_are_scored_on_a_tie(cli, dataset, tmp_path):
     """The official evaluation takes labels mirrored on a tie, and so do table, files and report;
     the errors in front are those of the labels as they are."""
     for name, pan in dataset.pans.items():
@@ -407,9 +405,7 @@ STRAY = {"match": "BRA-GER", "frames": 5, "teams": ["BRA", "GER"], "score": {"BR
 
 @pytest.mark.parametrize("packed", [False, pytest.param(True, marks=pytest.mark.soak)])
 @pytest.mark.usefixtures("no_charts")
-def test_other_json_among_annotations_is_named_and_not_counted(
-    cli, dataset, tmp_path, packed
-) -> None:
+def test_other_json_among_annotations_is_named_and_not_counted(cli, dataset, tmp_path, packed):
     (dataset.annotations / "per_match_info.json").write_text(json.dumps(STRAY))
     (dataset.annotations / "12.json").write_text("{}")  # a frame without annotations stays one
     place = dataset.annotations
@@ -433,7 +429,7 @@ def test_other_json_among_annotations_is_named_and_not_counted(
     assert not list((tmp_path / "fitted").glob("*per_match*"))
 
 
-def test_damaged_annotations_are_never_taken_for_other_files(cli, dataset, tmp_path) -> None:
+def test_damaged_annotations_are_never_taken_for_other_files(cli, dataset, tmp_path):
     damaged = {
         "cut": '{"Circle left": [{"x": 0.1',
         "null": '{"Circle left": null}',
@@ -449,7 +445,7 @@ def test_damaged_annotations_are_never_taken_for_other_files(cli, dataset, tmp_p
     assert "no list of points" not in done.stderr
 
 
-def test_every_output_that_is_asked_for_is_written(cli, dataset, tmp_path) -> None:
+def test_every_output_that_is_asked_for_is_written(cli, dataset, tmp_path):
     commands = {
         "agree": [dataset.annotations, dataset.annotations],
         "evaluate": dataset.set_arguments,
@@ -466,7 +462,7 @@ def test_every_output_that_is_asked_for_is_written(cli, dataset, tmp_path) -> No
 
 
 @pytest.mark.parametrize("forms", [("NFC", "NFD", "NFC"), ("NFD", "NFC", "NFC")])
-def test_names_are_paired_however_their_letters_are_composed(cli, dataset, tmp_path, forms) -> None:
+def test_names_are_paired_however_their_letters_are_composed(cli, dataset, tmp_path, forms):
     annotation, camera, picture = (unicodedata.normalize(form, "Málaga") for form in forms)
     (dataset.annotations / "1.json").rename(dataset.annotations / f"{annotation}.json")
     (dataset.cameras / "camera_1.json").rename(dataset.cameras / f"camera_{camera}.json")

@@ -1,7 +1,5 @@
 """``evaluate`` with intervals: what is printed and written, and what stays the same."""
 
-from __future__ import annotations
-
 import csv
 import hashlib
 import json
@@ -37,7 +35,7 @@ def chance(path: Path) -> dict[str, Any]:
     return found
 
 
-def test_intervals_and_differences_are_printed_and_written(cli, methods) -> None:
+def test_intervals_and_differences_are_printed_and_written(cli, methods):
     plain = cli("evaluate", *BOTH, "-o", "plain.json", "-o", "plain.csv")
     done = cli("evaluate", *BOTH, "--intervals", "-o", "out.json", "-o", "out.csv")
     assert done.exit_code == 0, done.output
@@ -60,13 +58,13 @@ def test_intervals_and_differences_are_printed_and_written(cli, methods) -> None
 @pytest.mark.parametrize(
     "option", [("--interval-method", "bca"), ("--resamples", "500"), ("--seed", "3")]
 )
-def test_options_of_chance_need_what_asks_for_it(cli, methods, option) -> None:
+def test_options_of_chance_need_what_asks_for_it(cli, methods, option):
     done = cli("evaluate", *BOTH, *option)
     assert done.exit_code == 2
     assert "need --intervals" in done.stderr
 
 
-def test_a_single_method_has_intervals_alone(cli, methods) -> None:
+def test_a_single_method_has_intervals_alone(cli, methods):
     done = cli("evaluate", "annotations", "good", "--intervals", "--power", "-o", "out.json")
     assert done.exit_code == 0, done.output
     assert list(chance(methods / "out.json"))[2:] == ["intervals", "power"]
@@ -76,7 +74,7 @@ def test_a_single_method_has_intervals_alone(cli, methods) -> None:
 
 
 @pytest.mark.parametrize("method", ["t", "percentile", "bca"])
-def test_frames_are_clustered_by_a_tag(cli, methods, method) -> None:
+def test_frames_are_clustered_by_a_tag(cli, methods, method):
     done = cli(
         "evaluate", *BOTH, "--tags", "tags.csv", "--cluster", "match", "--interval-method", method,
         "--resamples", "500", "--seed", "3", "-o", "out.json",
@@ -94,7 +92,7 @@ def test_frames_are_clustered_by_a_tag(cli, methods, method) -> None:
     assert len(found["by_light"]["rows"]) == 2
 
 
-def test_what_the_clicks_leave_open_and_strata_of_the_cameras(cli, methods) -> None:
+def test_what_the_clicks_leave_open_and_strata_of_the_cameras(cli, methods):
     done = cli(
         "evaluate", *BOTH, "--annotation-noise", "1.5", "--by", "zoom", "--by", "elements", "--by",
         "side", "--power", "-o", "out.json",
@@ -111,7 +109,7 @@ def test_what_the_clicks_leave_open_and_strata_of_the_cameras(cli, methods) -> N
     assert sum(row["frames"] for row in found["by_side"]["rows"]) == 5
 
 
-def test_parts_of_a_set_have_every_figure_at_every_threshold(cli, methods) -> None:
+def test_parts_of_a_set_have_every_figure_at_every_threshold(cli, methods):
     """The dataset's table says which frames are of one shot: names do not."""
     (methods / "frames.csv").write_text("frame,shot\n1,a\n2,a\n3,b\n10,b\n11,b\n")
     alone = ("--by", "shot", "--cluster", "none")
@@ -136,9 +134,7 @@ def test_parts_of_a_set_have_every_figure_at_every_threshold(cli, methods) -> No
 
 
 @pytest.mark.parametrize("tag", ["zoom", "elements", "shot"])
-def test_a_tag_called_like_what_is_told_from_cameras_is_the_one_that_counts(
-    cli, methods, tag
-) -> None:
+def test_a_tag_called_like_what_is_told_from_cameras_is_the_one_that_counts(cli, methods, tag):
     (methods / "own.csv").write_text(f"frame,{tag}\n1,x\n2,x\n3,y\n10,y\n11,y\n")
     done = cli("evaluate", *BOTH, "--by", tag, "--tags", "own.csv", "--intervals", "-o", "out.json")
     assert done.exit_code == 0, done.output
@@ -146,7 +142,7 @@ def test_a_tag_called_like_what_is_told_from_cameras_is_the_one_that_counts(
     assert {(row["value"], row["frames"]) for row in rows} == {("x", 2), ("y", 3)}
 
 
-def test_several_sets_are_told_apart(cli, methods) -> None:
+def test_several_sets_are_told_apart(cli, methods):
     done = cli(
         "evaluate", "--set", "one=annotations", "--set", "two=annotations", "--cameras", "A=good",
         "--cameras", "B=poor", "--intervals", "-o", "out.json",
@@ -167,7 +163,7 @@ def test_several_sets_are_told_apart(cli, methods) -> None:
         (("--by", "weather"), "cannot group by 'weather'"),
     ],
 )
-def test_what_cannot_be_done_is_one_line(cli, methods, arguments, says) -> None:
+def test_what_cannot_be_done_is_one_line(cli, methods, arguments, says):
     done = cli("evaluate", *BOTH, "--intervals", *arguments)
     assert done.exit_code == 2
     assert says in " ".join(done.stderr.replace("│", " ").split())
@@ -190,7 +186,7 @@ def agreement(cli, methods, size: str) -> str:
     return name
 
 
-def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods) -> None:
+def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods):
     moved = []
     for size in ("960x540", "1919x1079"):
         file = agreement(cli, methods, size)
@@ -209,7 +205,7 @@ def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods) -> None:
     assert [row["moved_jac"] for row in rows] == pytest.approx(moved[0], abs=0.12)
 
 
-def test_a_manifest_knows_the_agreement_and_the_tags(cli, methods) -> None:
+def test_a_manifest_knows_the_agreement_and_the_tags(cli, methods):
     file = agreement(cli, methods, "960x540")
     terms = ("--annotation-noise", file, "--tags", "tags.csv", "--cluster", "match")
     assert cli("evaluate", *BOTH, *terms, "--manifest", "manifest.json").exit_code == 0
@@ -234,7 +230,7 @@ def test_a_manifest_knows_the_agreement_and_the_tags(cli, methods) -> None:
         ('{"size": [960, 540], "summary": {"noise_floor": {"median": null}}}', "distance of None"),
     ],
 )
-def test_a_file_that_tells_no_noise_is_one_line(cli, methods, content, says) -> None:
+def test_a_file_that_tells_no_noise_is_one_line(cli, methods, content, says):
     (methods / "odd.json").write_text(content)
     done = cli("evaluate", *BOTH, "--annotation-noise", "odd.json")
     assert done.exit_code == 2
@@ -270,7 +266,7 @@ def written(cli, real, tmp_path_factory) -> Path:
     return folder
 
 
-def test_bold_is_only_what_is_best_beyond_chance(written) -> None:
+def test_bold_is_only_what_is_best_beyond_chance(written):
     tex = (written / "r.tex").read_text()
     comparison = tex[: tex.index(r"\end{table}")]
     bold = re.findall(r"textbf\{([^}]*)\}", comparison)
@@ -279,7 +275,7 @@ def test_bold_is_only_what_is_best_beyond_chance(written) -> None:
     assert "pnlcalib 186, nbjw 184, carwc 186 of 186" in comparison
 
 
-def test_files_hold_intervals_differences_ranks_and_the_curve(written) -> None:
+def test_files_hold_intervals_differences_ranks_and_the_curve(written):
     (found,) = json.loads((written / "r.json").read_text())["chance"]
     sheets = ["intervals", "differences", "ranks", "power", "by_elements", "by_elements_figures"]
     sheets += ["by_elements_differences", "difference_curves"]

@@ -1,7 +1,5 @@
 """``procc-annotator evaluate --over-time`` as a user runs it."""
 
-from __future__ import annotations
-
 import csv
 import json
 from pathlib import Path
@@ -35,7 +33,7 @@ def arguments(shot: Path) -> list[str]:
     return ["evaluate", str(shot / "annotations"), *sources, "--over-time"]
 
 
-def test_tables_and_files_tell_late_cameras(cli, shot) -> None:
+def test_tables_and_files_tell_late_cameras(cli, shot):
     out = [shot / "figures.json", shot / "frames.csv"]
     written = [f"--over-time-output={path}" for path in out]
     done = cli(*arguments(shot), *written)
@@ -59,7 +57,7 @@ def test_tables_and_files_tell_late_cameras(cli, shot) -> None:
     assert rows[FRAMES + 10]["camera"] == "false"
 
 
-def test_a_table_beside_the_annotations_tells_the_shots(cli, shot) -> None:
+def test_a_table_beside_the_annotations_tells_the_shots(cli, shot):
     lines = [f"a_{n:03d},{'one' if n < 15 else 'two'}" for n in range(FRAMES)]
     (shot / "annotations" / "frames.csv").write_text("\n".join(["frame,shot", *lines]))
     done = cli(*arguments(shot), f"--over-time-output={shot / 'o.json'}")
@@ -70,7 +68,7 @@ def test_a_table_beside_the_annotations_tells_the_shots(cli, shot) -> None:
     assert shots[:3] == [("true", "all 2 shots", 30), ("true", "one", 15), ("true", "two", 15)]
 
 
-def test_fits_are_marked_wherever_they_are_told(cli, shot) -> None:
+def test_fits_are_marked_wherever_they_are_told(cli, shot):
     fits, figures, frames = shot / "fits", shot / "figures.json", shot / "frames.csv"
     assert cli("calibrate", shot / "annotations", fits, "--model", "R").exit_code == 0
     first = shot / "annotations" / "a_001.json"
@@ -104,7 +102,7 @@ def test_fits_are_marked_wherever_they_are_told(cli, shot) -> None:
     assert breaks.count("ours (fitted") == breaks.count("ours") > 0
 
 
-def test_cameras_of_the_ground_alone_leave_out_the_same_everywhere(cli, shot, sample_data) -> None:
+def test_cameras_of_the_ground_alone_leave_out_the_same_everywhere(cli, shot, sample_data):
     homographies = shot / "homographies"
     homographies.mkdir()
     (given,) = (sample_data / "cameras" / "homography").glob("*00002*")
@@ -121,7 +119,7 @@ def test_cameras_of_the_ground_alone_leave_out_the_same_everywhere(cli, shot, sa
     assert found["over_time"]["described"].startswith(f"{words}, JaC@5, shots")
 
 
-def test_a_table_of_shots_tells_a_report_what_intervals_rest_on(cli, shot) -> None:
+def test_a_table_of_shots_tells_a_report_what_intervals_rest_on(cli, shot):
     lines = [f"a_{n:03d},{'one' if n < 15 else 'two'}" for n in range(FRAMES)]
     (shot / "shots.csv").write_text("\n".join(["frame,shot", *lines]))
     sources = [f"--cameras={name}={shot / name}" for name in ("true", "late")]
@@ -133,7 +131,7 @@ def test_a_table_of_shots_tells_a_report_what_intervals_rest_on(cli, shot) -> No
     assert cli("repeat", shot / "manifest.json", "--data", shot).exit_code == 0
 
 
-def test_options_that_cannot_be(cli, shot, tmp_path) -> None:
+def test_options_that_cannot_be(cli, shot, tmp_path):
     done = cli(*arguments(shot)[:-1], f"--shots={shot / 'x.csv'}")
     assert done.exit_code == 2
     assert "--over-time" in done.output
@@ -142,9 +140,7 @@ def test_options_that_cannot_be(cli, shot, tmp_path) -> None:
     assert ".json or .csv" in done.output
 
 
-def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
-    cli, sample_data, tmp_path
-) -> None:
+def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(cli, sample_data, tmp_path):
     files = {name: tmp_path / name for name in ("scores.json", "page.html", "time.json")}
     cameras = sample_data / "cameras" / "true"
     of_set = ("--cameras", f"a={cameras}", "--over-time", "--output")
@@ -167,7 +163,7 @@ def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
     assert (tmp_path / "more.json").exists()
 
 
-def test_a_manifest_repeats_them(cli, shot) -> None:
+def test_a_manifest_repeats_them(cli, shot):
     manifest = shot / "manifest.json"
     assert cli(*arguments(shot), "--manifest", manifest).exit_code == 0
     done = cli("repeat", manifest)
@@ -181,7 +177,7 @@ def test_a_manifest_repeats_them(cli, shot) -> None:
     assert "mean_jac" not in done.stdout
 
 
-def test_frames_that_cameras_call_otherwise_are_the_same_frames(cli, tmp_path) -> None:
+def test_frames_that_cameras_call_otherwise_are_the_same_frames(cli, tmp_path):
     for game in ("g1", "g2"):
         (tmp_path / "clicks" / game / "img1").mkdir(parents=True)
         (tmp_path / "cameras" / game).mkdir(parents=True)

@@ -1,7 +1,5 @@
 """``evaluate`` over several sets, methods and sizes; groups of frames; the table that grows."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -51,7 +49,7 @@ SEVERAL = (
 )  # fmt: skip
 
 
-def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
+def test_every_method_is_scored_on_every_set_at_every_size(cli, sets):
     done = cli(
         "evaluate", *SEVERAL, "--size", "960x540", "--size", "480x270", "-t", "5", "-t", "2",
         "-o", "out.json",
@@ -75,7 +73,7 @@ def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
     assert sum("480x270" in row for row in rows) == 4
 
 
-def test_homographies_belong_to_their_own_size_at_every_size(cli, sets, sample_data) -> None:
+def test_homographies_belong_to_their_own_size_at_every_size(cli, sets, sample_data):
     """They know it, as no SoccerNet camera does."""
     cameras = f"H={sample_data / 'cameras' / 'homography'}"
     for sizes in (("960x540", "1280x720"), ("1280x720", "960x540")):
@@ -86,7 +84,7 @@ def test_homographies_belong_to_their_own_size_at_every_size(cli, sets, sample_d
             assert one["summary"]["5"]["mean_error"] < 3, one["size"]
 
 
-def test_each_part_of_several_is_what_it_is_alone(cli, sets) -> None:
+def test_each_part_of_several_is_what_it_is_alone(cli, sets):
     cli("evaluate", *SEVERAL, "-o", "all.json")
     cli("evaluate", *SEVERAL, "-o", "all.csv")
     for i, (name, method) in enumerate((s, m) for s in ("day", "night") for m in ("good", "poor")):
@@ -105,7 +103,7 @@ def test_each_part_of_several_is_what_it_is_alone(cli, sets) -> None:
         assert "set" not in own[0]
 
 
-def test_one_named_method_says_its_name(cli, sets) -> None:
+def test_one_named_method_says_its_name(cli, sets):
     done = cli("evaluate", "day/annotations", "--cameras", "A=day/good", "-o", "out.json")
     assert "Summary of 5 frames, 5 with a camera" in done.stdout
     (only,) = load(sets / "out.json")["evaluations"]
@@ -125,14 +123,14 @@ def test_one_named_method_says_its_name(cli, sets) -> None:
         (["day/annotations", "--cameras", "a:fbx=day/good"], "fbx"),
     ],
 )
-def test_what_is_missing_or_twice_is_one_line(cli, sets, arguments, says) -> None:
+def test_what_is_missing_or_twice_is_one_line(cli, sets, arguments, says):
     done = cli("evaluate", *arguments)
     assert done.exit_code == 2
     assert says in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_planar_only_takes_goals_out_for_every_camera(cli, sets) -> None:
+def test_planar_only_takes_goals_out_for_every_camera(cli, sets):
     plain, planar = sets / "plain.json", sets / "planar.json"
     cli("evaluate", "day/annotations", "day/good", "-o", plain)
     done = cli("evaluate", "day/annotations", "day/good", "--planar-only", "-o", planar)
@@ -143,7 +141,7 @@ def test_planar_only_takes_goals_out_for_every_camera(cli, sets) -> None:
     assert load(planar)["planar_only"] is True
 
 
-def test_groups_by_tag_and_model(cli, sets) -> None:
+def test_groups_by_tag_and_model(cli, sets):
     (sets / "tags.csv").write_text("frame,light\n1,day\n2,day\n3,dusk\n10,\n00012,day\n")
     done = cli(
         "evaluate", "day/annotations", "day/poor", "--tags", "tags.csv", "--by", "light",
@@ -168,7 +166,7 @@ def test_groups_by_tag_and_model(cli, sets) -> None:
     assert [r["by_light"] for r in table(sets / "out.csv")] == ["day", "day", "dusk", "", ""]
 
 
-def test_tags_that_belong_to_no_frame_are_refused(cli, sets) -> None:
+def test_tags_that_belong_to_no_frame_are_refused(cli, sets):
     (sets / "tags.csv").write_text("frame,light\n00001,day\n")
     done = cli("evaluate", "day/annotations", "day/good", "--tags", "tags.csv")
     assert done.exit_code == 2
@@ -176,7 +174,7 @@ def test_tags_that_belong_to_no_frame_are_refused(cli, sets) -> None:
     assert "'1'" in done.stderr
 
 
-def test_unreadable_annotations_are_listed_once_for_all_methods(cli, sets) -> None:
+def test_unreadable_annotations_are_listed_once_for_all_methods(cli, sets):
     (sets / "day/annotations/1.json").write_text("{")
     done = cli("evaluate", *SEVERAL)
     assert done.exit_code == 1
@@ -184,7 +182,7 @@ def test_unreadable_annotations_are_listed_once_for_all_methods(cli, sets) -> No
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with SIGPIPE")
-def test_a_reader_that_has_seen_enough_is_no_error(sets) -> None:
+def test_a_reader_that_has_seen_enough_is_no_error(sets):
     """As ``| head`` does: the pipe is closed before anything is written."""
     reading, writing = os.pipe()
     os.close(reading)
@@ -208,7 +206,7 @@ def keep(annotations: Path, frame: str, names: int) -> None:
     path.write_text(json.dumps(dict(list(content.items())[:names])))
 
 
-def test_every_frame_has_number_and_spread_of_its_elements(cli, dataset, tmp_path) -> None:
+def test_every_frame_has_number_and_spread_of_its_elements(cli, dataset, tmp_path):
     keep(dataset.annotations, "1", 1)
     (dataset.annotations / "2.json").write_text("{}")
     (dataset.cameras / "camera_3.json").unlink()
@@ -235,7 +233,7 @@ def test_every_frame_has_number_and_spread_of_its_elements(cli, dataset, tmp_pat
 
 
 @pytest.mark.parametrize("by", ["spread", "elements", "model"])
-def test_a_report_is_broken_down_by_it(cli, dataset, tmp_path, by) -> None:
+def test_a_report_is_broken_down_by_it(cli, dataset, tmp_path, by):
     keep(dataset.annotations, "1", 3)
     out = tmp_path / "r.json"
     given = ("--cameras", f"a={dataset.cameras}")
@@ -251,7 +249,7 @@ def test_a_report_is_broken_down_by_it(cli, dataset, tmp_path, by) -> None:
         assert all(words in row["value"] for row in rows)
 
 
-def test_frames_of_few_elements_are_a_part_of_their_own(cli, dataset, tmp_path) -> None:
+def test_frames_of_few_elements_are_a_part_of_their_own(cli, dataset, tmp_path):
     for frame in ("1", "2"):
         keep(dataset.annotations, frame, 2)
     out = tmp_path / "s.json"

@@ -1,7 +1,5 @@
 """``procc-annotator export``: what leaves is what was annotated, and scores the same elsewhere."""
 
-from __future__ import annotations
-
 import csv
 import json
 import zipfile
@@ -19,7 +17,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.export import Scoring, export_scores
 
 
-def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path) -> None:
+def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path):
     out = tmp_path / "out"
     done = cli("export", dataset.root, out, "--cameras", dataset.cameras, "-t", 5, "-t", 2)
     assert done.exit_code == 0, done.output
@@ -36,7 +34,7 @@ def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path) -> None:
         assert len(list(csv.DictReader(stream))) == 10
 
 
-def test_exported_set_scores_as_exported(cli, dataset, tmp_path) -> None:
+def test_exported_set_scores_as_exported(cli, dataset, tmp_path):
     out, again = tmp_path / "out.zip", tmp_path / "again.json"
     done = cli("export", dataset.root, out, "--cameras", dataset.cameras)
     assert done.exit_code == 0, done.output
@@ -46,13 +44,13 @@ def test_exported_set_scores_as_exported(cli, dataset, tmp_path) -> None:
     assert json.loads(again.read_text())["summary"] == exported["summary"]
 
 
-def test_same_dataset_same_archive(cli, dataset, tmp_path) -> None:
+def test_same_dataset_same_archive(cli, dataset, tmp_path):
     for name in ("a.zip", "b.zip"):
         assert cli("export", dataset.root, tmp_path / name).exit_code == 0
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
 
 
-def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path) -> None:
+def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path):
     out = tmp_path / "out"
     done = cli("export", dataset.root, out)
     assert done.exit_code == 0
@@ -65,7 +63,7 @@ def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path) -> None:
     assert "no cameras were given" in (out / "jac.csv").read_text()
 
 
-def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path) -> None:
+def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path):
     (dataset.annotations / "2.json").unlink()
     done = cli("export", dataset.root, tmp_path / "out")
     assert "4 annotations written" in done.stdout
@@ -73,7 +71,7 @@ def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path) -> None:
     assert not (tmp_path / "out" / "2.json").exists()
 
 
-def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path) -> None:
+def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path):
     (dataset.annotations / "2.json").write_text("{")
     dataset.write_camera("3", "[]")
     done = cli("export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras)
@@ -84,7 +82,7 @@ def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path
 
 
 @pytest.mark.parametrize("where", ["root", "annotations"])
-def test_the_dataset_itself_is_never_the_target(cli, dataset, where) -> None:
+def test_the_dataset_itself_is_never_the_target(cli, dataset, where):
     before = {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()}
     done = cli("export", dataset.root, getattr(dataset, where))
     assert done.exit_code == 2
@@ -92,7 +90,7 @@ def test_the_dataset_itself_is_never_the_target(cli, dataset, where) -> None:
 
 
 @pytest.mark.parametrize("archived", [False, True])
-def test_the_cameras_are_never_the_target(cli, dataset, tmp_path, archived) -> None:
+def test_the_cameras_are_never_the_target(cli, dataset, tmp_path, archived):
     cameras = dataset.cameras
     if archived:
         cameras = tmp_path / "cameras.zip"
@@ -106,7 +104,7 @@ def test_the_cameras_are_never_the_target(cli, dataset, tmp_path, archived) -> N
     assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == before
 
 
-def test_nothing_to_export_is_2(cli, dataset, tmp_path) -> None:
+def test_nothing_to_export_is_2(cli, dataset, tmp_path):
     for source, cameras in (
         (tmp_path / "absent", None),
         (dataset.cameras, None),
@@ -118,7 +116,7 @@ def test_nothing_to_export_is_2(cli, dataset, tmp_path) -> None:
         assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path) -> None:
+def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path):
     (tmp_path / "file").write_text("")
     for name in ("file", "file/out", "file/out.zip"):
         done = cli("export", dataset.root, tmp_path / name)
@@ -126,7 +124,7 @@ def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path) -> Non
         assert len(done.stderr.splitlines()) == 1
 
 
-def test_an_export_never_hides_the_dataset_it_comes_from(cli, dataset) -> None:
+def test_an_export_never_hides_the_dataset_it_comes_from(cli, dataset):
     """The folder annotations/ would be read instead of the files beside the pictures."""
     for file in dataset.annotations.iterdir():
         file.rename(dataset.root / file.name)
@@ -137,7 +135,7 @@ def test_an_export_never_hides_the_dataset_it_comes_from(cli, dataset) -> None:
 
 
 @pytest.mark.parametrize("name", ["out", "out.zip"])
-def test_what_is_there_is_replaced_only_on_request(cli, dataset, tmp_path, name) -> None:
+def test_what_is_there_is_replaced_only_on_request(cli, dataset, tmp_path, name):
     out = tmp_path / name
     if out.suffix:
         kept = out
@@ -155,7 +153,7 @@ def test_what_is_there_is_replaced_only_on_request(cli, dataset, tmp_path, name)
     assert cli("export", dataset.root, out).exit_code == 2  # its own files are no exception
 
 
-def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path) -> None:
+def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path):
     """What a camera is, whether it was fitted to these very clicks, and how much was clicked."""
     camera = json.loads((dataset.cameras / "camera_1.json").read_text())
     path = dataset.annotations / "1.json"
@@ -178,7 +176,7 @@ def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path) -> None:
             assert told[name][column] == row[column]
 
 
-def test_cameras_of_another_field_are_not_scored(tmp_path, sample_data) -> None:
+def test_cameras_of_another_field_are_not_scored(tmp_path, sample_data):
     field = load_field("basketball_nba")
     np.save(tmp_path / "00001.npy", np.eye(3))
     path = sample_data / "basketball" / "00001.json"
@@ -198,7 +196,7 @@ def test_cameras_of_another_field_are_not_scored(tmp_path, sample_data) -> None:
     assert "would be taken for a soccer field's" in done.problems[0]
 
 
-def test_annotations_that_stay_in_the_folder_are_told(cli, dataset, tmp_path) -> None:
+def test_annotations_that_stay_in_the_folder_are_told(cli, dataset, tmp_path):
     out = tmp_path / "out"
     assert cli("export", dataset.root, out).exit_code == 0
     (dataset.annotations / "2.json").unlink()
@@ -236,9 +234,7 @@ def read_as_official(path: Path) -> dict[str, dict[str, list[dict[str, float]]]]
     return frames
 
 
-def test_an_archive_holds_nothing_but_frames_and_scores_lie_beside_it(
-    cli, dataset, tmp_path
-) -> None:
+def test_an_archive_holds_nothing_but_frames_and_scores_lie_beside_it(cli, dataset, tmp_path):
     out = tmp_path / "gt.zip"
     done = cli("export", dataset.root, out, "--split", "test", "--cameras", dataset.cameras)
     assert done.exit_code == 0, done.output
@@ -249,7 +245,7 @@ def test_an_archive_holds_nothing_but_frames_and_scores_lie_beside_it(
     assert json.loads((tmp_path / "gt_jac.json").read_text())["summary"]["5"]["mean_jac"] == 1
 
 
-def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path) -> None:
+def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path):
     out = tmp_path / "set"
     assert cli("export", dataset.root, out, "--split", "valid").exit_code == 0
     assert [p.name for p in out.iterdir()] == ["valid"]  # no cameras: no scores
@@ -262,16 +258,14 @@ def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path) ->
     assert names == ["1.json", "10.json", "11.json", "2.json", "3.json"]
 
 
-def test_a_folder_is_made_for_scores_too(cli, dataset, tmp_path) -> None:
+def test_a_folder_is_made_for_scores_too(cli, dataset, tmp_path):
     out = tmp_path / "new" / "set"
     done = cli("export", dataset.root, out, "--split", "valid", "--cameras", dataset.cameras)
     assert done.exit_code == 0, done.output
     assert sorted(p.name for p in out.iterdir()) == ["jac.csv", "jac.json", "valid"]
 
 
-def test_what_the_evaluation_stops_at_is_left_out_told_and_not_scored(
-    cli, dataset, tmp_path
-) -> None:
+def test_what_the_evaluation_stops_at_is_left_out_told_and_not_scored(cli, dataset, tmp_path):
     path = dataset.annotations / "2.json"
     content = json.loads(path.read_text())
     content |= {"Dugout": [{"x": 0.5, "y": 0.5}], "author": "me", "Penalty mark left": []}
@@ -293,7 +287,7 @@ def test_what_the_evaluation_stops_at_is_left_out_told_and_not_scored(
 
 def test_what_makes_no_sense_is_refused_before_anything_is_written(
     cli, dataset, sample_data, tmp_path
-) -> None:
+):
     out = tmp_path / "set"
     (out / "test").mkdir(parents=True)
     (out / "test" / "other.json").write_text("{}")
@@ -312,7 +306,7 @@ def test_what_makes_no_sense_is_refused_before_anything_is_written(
     assert [p.name for p in (out / "test").iterdir()] == ["other.json"]
 
 
-def test_a_tree_is_exported_folder_by_folder(cli, dataset, tmp_path) -> None:
+def test_a_tree_is_exported_folder_by_folder(cli, dataset, tmp_path):
     for game in ("a", "b"):
         (tmp_path / "tree" / game).mkdir(parents=True)
         for file in dataset.annotations.iterdir():
@@ -327,7 +321,7 @@ def test_a_tree_is_exported_folder_by_folder(cli, dataset, tmp_path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["folder", "archive", "labelme"])
-def test_annotations_without_pictures_are_exported(cli, dataset, tmp_path, kind) -> None:
+def test_annotations_without_pictures_are_exported(cli, dataset, tmp_path, kind):
     source = dataset.annotations
     if kind == "archive":
         source = tmp_path / "annotations.zip"
@@ -353,7 +347,7 @@ def test_annotations_without_pictures_are_exported(cli, dataset, tmp_path, kind)
 @pytest.mark.parametrize("method", ["nbjw", "pnlcalib"])
 def test_an_exported_split_scores_as_the_official_evaluation_did(
     cli, shared_data, tmp_path, method
-) -> None:
+):
     wc14, out = shared_data / "wc14", tmp_path / "gt.zip"
     done = cli(
         "export", wc14 / "annotations", out, "--split", "test", "-t", "10",

@@ -1,7 +1,5 @@
 """``field list``, ``check`` and ``show``."""
 
-from __future__ import annotations
-
 import json
 import re
 import zipfile
@@ -28,7 +26,7 @@ def mine(tmp_path) -> Path:
     return path
 
 
-def test_list_names_every_field_with_its_size_and_rules(cli) -> None:
+def test_list_names_every_field_with_its_size_and_rules(cli):
     done = cli("field", "list")
     assert done.exit_code == 0
     for name in field_names():
@@ -37,14 +35,14 @@ def test_list_names_every_field_with_its_size_and_rules(cli) -> None:
     assert "IIHF" in done.stdout
 
 
-def test_check_passes_what_comes_with_the_program(cli, mine) -> None:
+def test_check_passes_what_comes_with_the_program(cli, mine):
     done = cli("field", "check", "ice_hockey_nhl")
     assert (done.exit_code, done.stderr) == (0, "")
     assert "Ice hockey (NHL): 49 elements, 19 dimensions: nothing to mend" in done.stdout
     assert cli("field", "check", str(mine)).exit_code == 0
 
 
-def test_check_names_what_to_mend(cli, mine) -> None:
+def test_check_names_what_to_mend(cli, mine):
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace("-goal_height", "goal_height"), encoding="utf-8")
     done = cli("field", "check", str(mine))
@@ -58,7 +56,7 @@ def test_check_names_what_to_mend(cli, mine) -> None:
     assert "6 to look at" in done.stdout
 
 
-def test_check_knows_the_keys_of_the_window(cli, mine) -> None:
+def test_check_knows_the_keys_of_the_window(cli, mine):
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace('shortcut = "3"', 'shortcut = "x"', 1), encoding="utf-8")
     done = cli("field", "check", str(mine))
@@ -66,7 +64,7 @@ def test_check_knows_the_keys_of_the_window(cli, mine) -> None:
     assert "the key x is taken by the window: hide all overlays" in done.stdout
 
 
-def test_check_says_where_a_field_cannot_be_read(cli, mine) -> None:
+def test_check_says_where_a_field_cannot_be_read(cli, mine):
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace('"circle_radius"', '"circle_radios"', 1), encoding="utf-8")
     line = text[: text.index('"circle_radius"')].count("\n") + 1
@@ -76,7 +74,7 @@ def test_check_says_where_a_field_cannot_be_read(cli, mine) -> None:
     assert "did you mean 'circle_radius'?" in done.stderr
 
 
-def test_show_tells_elements_dimensions_and_symmetries(cli, tmp_path, monkeypatch) -> None:
+def test_show_tells_elements_dimensions_and_symmetries(cli, tmp_path, monkeypatch):
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
         monkeypatch.delenv(name, raising=False)
     done = cli("field", "show", "ice_hockey_iihf:width=26")
@@ -92,7 +90,7 @@ def test_show_tells_elements_dimensions_and_symmetries(cli, tmp_path, monkeypatc
     assert "rules: IIHF" in done.stdout
 
 
-def test_show_draws_every_element_in_its_colour(cli, tmp_path) -> None:
+def test_show_draws_every_element_in_its_colour(cli, tmp_path):
     out = tmp_path / "map.png"
     done = cli("field", "show", "soccer", "--output", str(out))
     assert (done.exit_code, done.stderr) == (0, "")
@@ -102,7 +100,7 @@ def test_show_draws_every_element_in_its_colour(cli, tmp_path) -> None:
         assert int(element.colour[1:], 16) in colours, element.title
 
 
-def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(cli, tmp_path) -> None:
+def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(cli, tmp_path):
     outs = [tmp_path / "a.svg", tmp_path / "b.SVG"]
     for out in outs:
         assert cli("field", "show", "ice_hockey_iihf", "-o", str(out)).exit_code == 0
@@ -121,14 +119,14 @@ def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(cli, tmp_pa
         ("file/below/map.png", "is a file, expected a folder; choose another place"),
     ],
 )
-def test_show_refuses_what_it_cannot_write(cli, tmp_path, name, told) -> None:
+def test_show_refuses_what_it_cannot_write(cli, tmp_path, name, told):
     (tmp_path / "file").write_text("", encoding="utf-8")
     done = cli("field", "show", "soccer", "--output", str(tmp_path / name))
     assert done.exit_code == 2
     assert told in done.stderr
 
 
-def test_show_never_writes_over_the_field(cli, mine) -> None:
+def test_show_never_writes_over_the_field(cli, mine):
     link = mine.with_suffix(".svg")
     link.symlink_to(mine)
     before = mine.read_bytes()
@@ -137,7 +135,7 @@ def test_show_never_writes_over_the_field(cli, mine) -> None:
 
 
 @pytest.mark.parametrize("command", ["list", "check", "show"])
-def test_the_commands_have_help_with_an_example(cli, command) -> None:
+def test_the_commands_have_help_with_an_example(cli, command):
     done = cli("field", command, "--help")
     assert done.exit_code == 0
     assert f"procc-annotator field {command}" in done.stdout
@@ -159,14 +157,14 @@ def test_the_commands_have_help_with_an_example(cli, command) -> None:
         ),
     ],
 )
-def test_dimensions_that_cannot_be_are_told_without_the_installed_file(cli, text, says) -> None:
+def test_dimensions_that_cannot_be_are_told_without_the_installed_file(cli, text, says):
     done = cli("field", "show", text)
     assert done.exit_code == 2
     assert says in done.stderr
     assert ".toml" not in done.stderr
 
 
-def test_show_tells_kinds_and_the_side_of_the_paint(cli) -> None:
+def test_show_tells_kinds_and_the_side_of_the_paint(cli):
     shown = cli("field", "show", "basketball_fiba").stdout
     sideline = next(line for line in shown.splitlines() if "Near sideline" in line)
     assert "0.05, outside" in sideline  # the court is measured to the inner edge
@@ -195,7 +193,7 @@ def scored(cli, dataset: Dataset, out: Path, *more: str) -> str:
     return str(json.loads(out.read_text())["field"])
 
 
-def test_commands_take_the_datasets_own_field(cli, dataset, tmp_path) -> None:
+def test_commands_take_the_datasets_own_field(cli, dataset, tmp_path):
     keep_length(dataset.root, 101.3)
     out = tmp_path / "scores.json"
     assert scored(cli, dataset, out) == "soccer 101.3 x 68 m"
@@ -206,7 +204,7 @@ def test_commands_take_the_datasets_own_field(cli, dataset, tmp_path) -> None:
     assert scored(cli, dataset, out) == "ours"
 
 
-def test_every_set_has_a_field_of_its_own(cli, dataset, tmp_path) -> None:
+def test_every_set_has_a_field_of_its_own(cli, dataset, tmp_path):
     keep_length(dataset.root, 101.3)
     plain = tmp_path / "plain"
     plain.mkdir()
@@ -221,7 +219,7 @@ def test_every_set_has_a_field_of_its_own(cli, dataset, tmp_path) -> None:
     assert "soccer 101.3 x 68 m" in done.stdout  # the other one says nothing
 
 
-def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset) -> None:
+def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset):
     (dataset.root / FIELD_FILE).write_text('name = "ours"')
     done = cli("evaluate", *dataset.set_arguments)
     assert done.exit_code == 2
@@ -229,7 +227,7 @@ def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset) -> None:
 
 
 @pytest.mark.parametrize("command", ["evaluate", "check", "calibrate", "agree"])
-def test_classes_of_another_field_are_told(cli, dataset, tmp_path, command) -> None:
+def test_classes_of_another_field_are_told(cli, dataset, tmp_path, command):
     own = tmp_path / "yard.toml"
     own.write_text(
         'name = "yard"\ntitle = "Yard"\n[[elements]]\nname = "fence"\ntitle = "Fence"\n'
@@ -248,7 +246,7 @@ def test_classes_of_another_field_are_told(cli, dataset, tmp_path, command) -> N
     assert "does not know" not in cli(command, *places).stderr
 
 
-def test_a_field_file_that_cannot_be_used_is_told(cli, dataset, tmp_path) -> None:
+def test_a_field_file_that_cannot_be_used_is_told(cli, dataset, tmp_path):
     packed = tmp_path / "match.zip"
     with zipfile.ZipFile(packed, "w") as archive:
         for file in dataset.annotations.glob("*.json"):

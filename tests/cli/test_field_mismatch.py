@@ -1,7 +1,5 @@
 """Annotations whose classes are not the field's: every command that reads them says so."""
 
-from __future__ import annotations
-
 import json
 
 import pytest
@@ -13,7 +11,7 @@ FITS = "; Soccer knows all: --field soccer"
 
 
 @pytest.mark.parametrize("command", ["compare", "convert", "render", "export"])
-def test_the_field_that_fits_is_named(cli, dataset, tmp_path, command) -> None:
+def test_the_field_that_fits_is_named(cli, dataset, tmp_path, command):
     given = {
         "compare": (f"a={dataset.cameras}", f"b={dataset.cameras}", dataset.root),
         "convert": (dataset.root, tmp_path / "out.zip", "--to", "cvat", "--overwrite"),
@@ -27,7 +25,7 @@ def test_the_field_that_fits_is_named(cli, dataset, tmp_path, command) -> None:
     assert "does not know" not in cli(command, *given, "--field", "soccer").stderr
 
 
-def test_the_own_field_of_the_dataset_is_among_those_that_may_fit(cli, dataset) -> None:
+def test_the_own_field_of_the_dataset_is_among_those_that_may_fit(cli, dataset):
     elements = "".join(
         f'[[elements]]\nname = "padel {n}"\ntitle = "Line {n}"\ngroup = "Lines"\nshortcut = ""\n'
         f'colour = "#ff{n:02d}00"\nkind = "line"\nstart = [0, {n}, 0]\nend = [1, {n}, 0]\n'
@@ -45,9 +43,7 @@ def test_the_own_field_of_the_dataset_is_among_those_that_may_fit(cli, dataset) 
     assert "; name the field they belong to: --field NAME or a .toml file" in done.stderr
 
 
-def test_files_of_soccernet_are_not_written_for_classes_of_another_sport(
-    cli, dataset, tmp_path
-) -> None:
+def test_files_of_soccernet_are_not_written_for_classes_of_another_sport(cli, dataset, tmp_path):
     clicks = {f"3-points {n}": [{"x": 0.1, "y": 0.2}, {"x": 0.9, "y": 0.2}] for n in range(6)}
     for file in dataset.annotations.glob("*.json"):
         file.write_text(json.dumps(clicks))
@@ -59,7 +55,7 @@ def test_files_of_soccernet_are_not_written_for_classes_of_another_sport(
         assert not out.exists()
 
 
-def test_a_check_under_a_wrong_field_says_the_one_thing(cli, dataset, tmp_path) -> None:
+def test_a_check_under_a_wrong_field_says_the_one_thing(cli, dataset, tmp_path):
     found = tmp_path / "found.json"
     given = ("check", dataset.root, "--field", "basketball_fiba")
     done = cli(*given, "-o", found, "--fail-on", "warning")
@@ -74,7 +70,7 @@ def test_a_check_under_a_wrong_field_says_the_one_thing(cli, dataset, tmp_path) 
     assert "did you mean" not in found.read_text()
 
 
-def test_a_slip_of_the_pen_keeps_its_remedy(cli, dataset) -> None:
+def test_a_slip_of_the_pen_keeps_its_remedy(cli, dataset):
     file = dataset.annotations / "1.json"
     file.write_text(file.read_text().replace("Side line left", "Side lines left"))
     done = cli("check", dataset.root)

@@ -1,7 +1,5 @@
 """Names and texts of files reach terminal, pages and Markdown as text, never as commands."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -62,7 +60,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
     }
 
 
-def test_every_command_is_walked(dataset, tmp_path) -> None:
+def test_every_command_is_walked(dataset, tmp_path):
     known = {str(command.name) for command in COMMANDS} - WITHOUT
     assert known == set(_commands(dataset.root, tmp_path / "out"))
 
@@ -70,7 +68,7 @@ def test_every_command_is_walked(dataset, tmp_path) -> None:
 @pytest.mark.parametrize("terminal", [False, True])
 def test_nothing_that_a_terminal_would_obey_is_printed(
     cli, evil, tmp_path, monkeypatch, no_charts, terminal
-) -> None:
+):
     monkeypatch.chdir(tmp_path)
     if terminal:
         monkeypatch.setenv("FORCE_COLOR", "1")
@@ -96,7 +94,7 @@ def test_nothing_that_a_terminal_would_obey_is_printed(
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="names of files are valid Unicode here")
-def test_a_folder_whose_name_is_not_unicode_is_reported(cli, dataset, tmp_path) -> None:
+def test_a_folder_whose_name_is_not_unicode_is_reported(cli, dataset, tmp_path):
     cameras = dataset.cameras.rename(tmp_path / "c\udcff$x^$")
     outputs = [
         part for kind in ("html", "tex", "csv", "json") for part in ("-o", tmp_path / f"r.{kind}")

@@ -1,7 +1,5 @@
 """Pictures that are not 16:9: their own shape is what cameras are fitted and labels checked in."""
 
-from __future__ import annotations
-
 import csv
 import json
 import shutil
@@ -27,7 +25,7 @@ def rows(path) -> dict[str, dict[str, str]]:
 
 
 @pytest.mark.parametrize("given", ["root", "annotations"])
-def test_cameras_have_the_shape_of_the_pictures(cli, square, tmp_path, given) -> None:
+def test_cameras_have_the_shape_of_the_pictures(cli, square, tmp_path, given):
     out = tmp_path / "out"
     done = cli("calibrate", getattr(square, given), out, "-m", "P", "-t", 1)
     assert done.exit_code == 0, done.stderr
@@ -42,7 +40,7 @@ def test_cameras_have_the_shape_of_the_pictures(cli, square, tmp_path, given) ->
         assert camera["pan_degrees"] == pytest.approx(square.pans[name], abs=0.5)
 
 
-def test_each_frame_has_its_own_shape(cli, dataset, tmp_path) -> None:
+def test_each_frame_has_its_own_shape(cli, dataset, tmp_path):
     dataset.write_frame("2", dataset.pans["2"], FOUR_THIRDS)
     done = cli("calibrate", dataset.root, tmp_path / "out", "-m", "P", "-t", 1)
     assert "pictures are 1024x768 (1 frame): fitted at 960x720" in done.stderr
@@ -56,13 +54,13 @@ def test_each_frame_has_its_own_shape(cli, dataset, tmp_path) -> None:
     assert rows(tmp_path / "one" / "calibration.csv")["2"]["height"] == "720"
 
 
-def test_a_frame_without_a_picture_is_like_the_others(cli, square, tmp_path) -> None:
+def test_a_frame_without_a_picture_is_like_the_others(cli, square, tmp_path):
     (square.root / "3.jpg").unlink()
     assert cli("calibrate", square.root, tmp_path / "out").exit_code == 0
     assert rows(tmp_path / "out" / "calibration.csv")["3"]["height"] == "720"
 
 
-def test_a_file_may_tell_the_size_of_its_picture(cli, dataset, tmp_path) -> None:
+def test_a_file_may_tell_the_size_of_its_picture(cli, dataset, tmp_path):
     dataset.write_frame("1", dataset.pans["1"], FOUR_THIRDS)
     for picture in dataset.root.glob("*.jpg"):
         picture.unlink()
@@ -76,7 +74,7 @@ def test_a_file_may_tell_the_size_of_its_picture(cli, dataset, tmp_path) -> None
     assert "1024x768" in done.stderr
 
 
-def test_no_right_label_is_accused(cli, square, tmp_path) -> None:
+def test_no_right_label_is_accused(cli, square, tmp_path):
     out = tmp_path / "found.json"
     done = cli("check", square.root, "-o", out)
     content = json.loads(out.read_text())
@@ -89,7 +87,7 @@ def test_no_right_label_is_accused(cli, square, tmp_path) -> None:
     assert {tuple(f["size"]) for f in json.loads(out.read_text())["findings"]} == {(960, 540)}
 
 
-def test_a_size_of_another_shape_is_warned_of(cli, square, tmp_path) -> None:
+def test_a_size_of_another_shape_is_warned_of(cli, square, tmp_path):
     done = cli("calibrate", square.root, tmp_path / "out", "--size", "1920x1080")
     assert "pictures are 1024x768, but fitted at 1920x1080, which has another shape" in done.stderr
     same = cli("calibrate", square.root, tmp_path / "same", "--size", "2048x1536")
@@ -99,12 +97,12 @@ def test_a_size_of_another_shape_is_warned_of(cli, square, tmp_path) -> None:
     assert "fitted at 960x720" in cli("field-size", square.root).stderr
 
 
-def test_sixteen_by_nine_is_nothing_to_tell(cli, dataset, tmp_path) -> None:
+def test_sixteen_by_nine_is_nothing_to_tell(cli, dataset, tmp_path):
     assert "pictures" not in cli("calibrate", dataset.root, tmp_path / "out").stderr
     assert "pictures" not in cli("check", dataset.root).stderr
 
 
-def test_the_official_size_stays_but_is_warned_of(cli, square, tmp_path) -> None:
+def test_the_official_size_stays_but_is_warned_of(cli, square, tmp_path):
     assert cli("calibrate", square.root, tmp_path / "out").exit_code == 0
     done = cli("evaluate", square.annotations, tmp_path / "out")
     assert "note: pictures are 1024x768, compared at 960x540, which has another" in done.stderr
@@ -114,7 +112,7 @@ def test_the_official_size_stays_but_is_warned_of(cli, square, tmp_path) -> None
 
 
 @pytest.mark.parametrize(("width", "height"), [(1, 1), (2, 4000)])
-def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height) -> None:
+def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height):
     odd = np.zeros((height, width, 3), np.uint8)
     cv2.imwrite(str(dataset.root / "2.jpg"), odd)
     for asked in (
@@ -135,7 +133,7 @@ def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height
         assert "expected a picture" in done.stderr
 
 
-def test_a_size_of_no_shape_ends_no_set(cli, dataset, tmp_path) -> None:
+def test_a_size_of_no_shape_ends_no_set(cli, dataset, tmp_path):
     path = dataset.annotations / "2.json"
     told = json.loads(path.read_text()) | {"width": 2, "height": 4000}
     (dataset.root / "2.jpg").unlink()

@@ -1,7 +1,5 @@
 """Pictures in folders of folders: a frame is called by its path, in every command."""
 
-from __future__ import annotations
-
 import csv
 import json
 import os
@@ -47,7 +45,7 @@ def tree(sample_data, tmp_path) -> Tree:
     return made
 
 
-def test_every_picture_is_a_frame_of_its_own(tree) -> None:
+def test_every_picture_is_a_frame_of_its_own(tree):
     root, frames, notices = list_frames(tree.root)
     assert root == tree.root
     assert [frame.name for frame in frames] == NAMES
@@ -55,7 +53,7 @@ def test_every_picture_is_a_frame_of_its_own(tree) -> None:
     assert [f.annotation_path for f in frames] == [tree.root / f"{name}.json" for name in NAMES]
 
 
-def test_commands_agree_on_the_names_of_frames(cli, tree, tmp_path) -> None:
+def test_commands_agree_on_the_names_of_frames(cli, tree, tmp_path):
     out = tmp_path / "s.csv"
     assert cli("evaluate", tree.root, tree.cameras, "-o", out).exit_code == 0
     with out.open(encoding="utf-8") as file:
@@ -71,7 +69,7 @@ def test_commands_agree_on_the_names_of_frames(cli, tree, tmp_path) -> None:
     assert scores["summary"]
 
 
-def test_pictures_and_cameras_are_written_into_folders_as_they_lie(cli, tree, tmp_path) -> None:
+def test_pictures_and_cameras_are_written_into_folders_as_they_lie(cli, tree, tmp_path):
     assert cli("render", tree.root, tmp_path / "r", "--cameras", tree.cameras).exit_code == 0
     assert cli("calibrate", tree.root, tmp_path / "c").exit_code == 0
     assert cli("convert", tree.cameras, tmp_path / "k", "--to", "opencv").exit_code == 0
@@ -86,7 +84,7 @@ def test_pictures_and_cameras_are_written_into_folders_as_they_lie(cli, tree, tm
 
 
 @pytest.mark.parametrize("fmt", ["soccernet", "labelme", "cvat", "coco", "soccernet-gsr"])
-def test_other_formats_hold_a_tree_with_its_pictures(cli, tree, tmp_path, fmt) -> None:
+def test_other_formats_hold_a_tree_with_its_pictures(cli, tree, tmp_path, fmt):
     place = tmp_path / "there"
     assert cli("convert", tree.root, place, "--to", fmt, "--pictures").exit_code == 0
     assert len(list(place.rglob("*.jpg"))) == len(NAMES)
@@ -96,7 +94,7 @@ def test_other_formats_hold_a_tree_with_its_pictures(cli, tree, tmp_path, fmt) -
     assert all(name in text for name in NAMES)
 
 
-def test_what_one_match_has_goes_with_the_whole_tree(cli, tree, tmp_path) -> None:
+def test_what_one_match_has_goes_with_the_whole_tree(cli, tree, tmp_path):
     """Cameras of one match alone lie in the only folder of their place."""
     for place in (tree.root, tree.cameras):
         for match in ("a", "b"):
@@ -112,7 +110,7 @@ def test_what_one_match_has_goes_with_the_whole_tree(cli, tree, tmp_path) -> Non
     assert [bool(scored[name]) for name in sorted(scored)] == [True, True, False, False]
 
 
-def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree) -> None:
+def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree):
     """Each lies in the only folder of its place, which is otherwise no part of a frame's name."""
     for match in ("a", "b"):
         for place in (tree.root / match, tree.cameras / match):
@@ -140,7 +138,7 @@ def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree) -> 
     assert "2 frames" in cli("evaluate", inside, tree.cameras).stdout
 
 
-def test_annotations_may_lie_apart_in_folders_of_the_same_names(cli, tree, tmp_path) -> None:
+def test_annotations_may_lie_apart_in_folders_of_the_same_names(cli, tree, tmp_path):
     for match in MATCHES:
         for frame in FRAMES:
             (tree.root / match / f"{frame}.json").unlink()
@@ -153,7 +151,7 @@ def test_annotations_may_lie_apart_in_folders_of_the_same_names(cli, tree, tmp_p
     assert "4 frames" in cli("evaluate", tree.root, tree.cameras).stdout
 
 
-def test_game_state_folders_go_by_their_pictures(cli, tree, tmp_path) -> None:
+def test_game_state_folders_go_by_their_pictures(cli, tree, tmp_path):
     """Its file lies above img1 and leaves that folder out."""
     for match in MATCHES:
         folder = tree.root / match
@@ -172,7 +170,7 @@ def test_game_state_folders_go_by_their_pictures(cli, tree, tmp_path) -> None:
     assert list(imported.frames) == NAMES
 
 
-def test_pictures_of_one_folder_keep_plain_names(sample_data, tmp_path) -> None:
+def test_pictures_of_one_folder_keep_plain_names(sample_data, tmp_path):
     (tmp_path / "game/img1").mkdir(parents=True)
     shutil.copy(sample_data / "00001.jpg", tmp_path / "game/img1")
     _, (frame,), _ = list_frames(tmp_path / "game")
@@ -183,7 +181,7 @@ def test_pictures_of_one_folder_keep_plain_names(sample_data, tmp_path) -> None:
     assert frame.annotation_path == tmp_path / "game/img1/00001.json"
 
 
-def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree, tmp_path) -> None:
+def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree, tmp_path):
     (tree.root / "a" / "again").symlink_to(tree.root, target_is_directory=True)
     (tree.root / "b" / "nowhere.jpg").symlink_to(tree.root / "gone.jpg")
     (tree.root / "b/img1/00001.json").write_text("{")
@@ -194,7 +192,7 @@ def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree, tmp_path) -> None:
     assert written == {f"{name}.json" for name in NAMES if name != "b/img1/00001"}
 
 
-def test_an_unreadable_folder_is_told_and_the_others_are_there(tree, monkeypatch) -> None:
+def test_an_unreadable_folder_is_told_and_the_others_are_there(tree, monkeypatch):
     """As a disk with a fault does: permissions do not stop everybody."""
     listed = os.scandir
 
@@ -210,7 +208,7 @@ def test_an_unreadable_folder_is_told_and_the_others_are_there(tree, monkeypatch
     assert "a/: cannot be listed: Input/output error" in notices[0].replace("season/a:", "a/:")
 
 
-def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree) -> None:
+def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree):
     (tree.root / "b/img1/00002.json").unlink()
     workspace = Workspace.open(tree.root, load_field())
     index = workspace.index["b/img1/00002"]
@@ -221,7 +219,7 @@ def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree) -> None:
     assert {p.name for p in tree.root.rglob("*.json")} == {f"{frame}.json" for frame in FRAMES}
 
 
-def test_nothing_is_written_over_a_tree_that_is_read(cli, tree) -> None:
+def test_nothing_is_written_over_a_tree_that_is_read(cli, tree):
     before = {p: p.read_bytes() for p in tree.root.rglob("*.*") if p.is_file()}
     for command in (
         ("export", tree.root, tree.root, "--overwrite"),
@@ -236,7 +234,7 @@ def test_nothing_is_written_over_a_tree_that_is_read(cli, tree) -> None:
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_a_report_and_a_comparison_of_a_tree(cli, tree, tmp_path) -> None:
+def test_a_report_and_a_comparison_of_a_tree(cli, tree, tmp_path):
     page = tmp_path / "report.html"
     done = cli("report", tree.root, "--cameras", f"ours={tree.cameras}", "--output", page)
     assert done.exit_code == 0, done.stderr
@@ -247,7 +245,7 @@ def test_a_report_and_a_comparison_of_a_tree(cli, tree, tmp_path) -> None:
     assert "4 frames" in done.stdout + done.stderr
 
 
-def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path) -> None:
+def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path):
     picture = np.random.default_rng(5).integers(0, 255, (36, 64, 3), dtype=np.uint8)
     picture = cv2.resize(picture, (640, 360), interpolation=cv2.INTER_CUBIC)
     for shot in ("a/img1", "b/img1"):
@@ -263,9 +261,7 @@ def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path) -> No
     assert sequence.paths[second] == tmp_path / "b/img1/000001.jpg"
 
 
-def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(
-    cli, sample_data, tmp_path
-) -> None:
+def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(cli, sample_data, tmp_path):
     """All annotations count, not only those of frames that were drawn."""
     annotations = tmp_path / "annotations_alone"
     (annotations / "overlays").mkdir(parents=True)
@@ -282,7 +278,7 @@ def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(
     assert "960x540" in done.stdout
 
 
-def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree, tmp_path) -> None:
+def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree, tmp_path):
     """It puts pictures in images/, leaves that folder out of their names, and adds a list of
     labels."""
     place = tmp_path / "project"
@@ -300,7 +296,7 @@ def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree, tmp_path) -> N
     ("fmt", "name"),
     [("soccernet-gsr", "Labels-GameState.json"), ("soccernet-v3", "Labels-v3.json")],
 )
-def test_a_format_of_one_file_a_game_has_one_in_each_folder(cli, tree, tmp_path, fmt, name) -> None:
+def test_a_format_of_one_file_a_game_has_one_in_each_folder(cli, tree, tmp_path, fmt, name):
     """Each names the pictures of its own game, as its loader joins them to its folder."""
     out = tmp_path / "games"
     done = cli("convert", tree.root, out, "--to", fmt)
@@ -329,7 +325,7 @@ def test_a_format_of_one_file_a_game_has_one_in_each_folder(cli, tree, tmp_path,
     assert "a/img1/00001.jpg" in one.read_text()
 
 
-def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path) -> None:
+def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path):
     game = tmp_path / "league" / "season" / "game"
     game.mkdir(parents=True)
     lines = [{"class": "Middle line", "points": [1, 2, 3, 4]}]
@@ -346,7 +342,7 @@ def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path) 
 @pytest.mark.parametrize("place", ["annotations/{}", "{}/annotations", "{}"])
 def test_annotations_without_the_folder_of_pictures_are_those_of_the_pictures(
     cli, tree, tmp_path, place
-) -> None:
+):
     """By every command, and by the window; the names composed otherwise, as a Mac copies them."""
     here, there = "é", "e\u0301"
     for match in MATCHES:
@@ -368,7 +364,7 @@ def test_annotations_without_the_folder_of_pictures_are_those_of_the_pictures(
     assert done.stderr == ""
 
 
-def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(cli, tree, tmp_path) -> None:
+def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(cli, tree, tmp_path):
     """Without pictures nothing but the cameras tells that their only folder is one of several."""
     kept = tmp_path / "kept/a"
     kept.mkdir(parents=True)
@@ -382,7 +378,7 @@ def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(cli, tree, t
 
 
 @pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3"])
-def test_a_file_of_one_match_comes_back_into_the_tree(cli, tree, tmp_path, fmt) -> None:
+def test_a_file_of_one_match_comes_back_into_the_tree(cli, tree, tmp_path, fmt):
     shutil.move(tree.root / "b", tmp_path / "b")
     (tree.root / "b/img1").mkdir(parents=True)
     shutil.copy(tmp_path / "b/img1/00001.jpg", tree.root / "b/img1")
@@ -393,7 +389,7 @@ def test_a_file_of_one_match_comes_back_into_the_tree(cli, tree, tmp_path, fmt) 
     assert set(read_annotations(file, workspace).frames) == {f"a/img1/{f}" for f in FRAMES}
 
 
-def test_releases_and_reports_find_frames_however_they_are_called(cli, tree, tmp_path) -> None:
+def test_releases_and_reports_find_frames_however_they_are_called(cli, tree, tmp_path):
     """Without the folder of pictures in a table, and composed otherwise by the annotations."""
     here, there = "é1", "e\u03011"
     for match in MATCHES:

@@ -1,7 +1,5 @@
 """Frames fitted together from the command line: shared positions, and the size of a field."""
 
-from __future__ import annotations
-
 import csv
 import json
 import zipfile
@@ -92,7 +90,7 @@ def uneven(cli, groups, tmp_path_factory) -> tuple[Result, Path]:
 
 
 @pytest.mark.parametrize("given", [False, True])
-def test_frames_of_one_place_get_one_position(cli, match, groups, tmp_path, given) -> None:
+def test_frames_of_one_place_get_one_position(cli, match, groups, tmp_path, given):
     out = tmp_path / "cameras"
     grouped = ["--groups", groups] if given else []
     done = cli("calibrate", match, out, "--shared-position", *grouped, "-t", 2)
@@ -116,7 +114,7 @@ def test_frames_of_one_place_get_one_position(cli, match, groups, tmp_path, give
     assert "12 of 12" in done.stdout
 
 
-def test_a_camera_for_a_frame_of_two_elements(uneven) -> None:
+def test_a_camera_for_a_frame_of_two_elements(uneven):
     done, out = uneven
     assert done.exit_code == 0, done.stderr
     assert "1 frame has a camera now that the position is known: a2" in done.stdout
@@ -125,7 +123,7 @@ def test_a_camera_for_a_frame_of_two_elements(uneven) -> None:
     assert (out / "camera_a2.json").exists()
 
 
-def test_frames_without_a_group_keep_their_own_position(uneven) -> None:
+def test_frames_without_a_group_keep_their_own_position(uneven):
     done, out = uneven
     assert done.exit_code == 0, done.stderr
     assert "Own positions: 1" in done.stdout
@@ -133,7 +131,7 @@ def test_frames_without_a_group_keep_their_own_position(uneven) -> None:
     assert {r["name"]: r["position"] for r in read(out / "calibration.csv")}["b5"] == ""
 
 
-def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path) -> None:
+def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path):
     out = tmp_path / "cameras"
     for arguments, problem in (
         (["calibrate", match, out, "--groups", groups], "--groups is for --shared-position"),
@@ -152,7 +150,7 @@ def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path) -> None:
     assert not out.exists()
 
 
-def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path) -> None:
+def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path):
     match = tmp_path / "match"
     write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2), 4)
     done = cli("field-size", match, "--save", "-t", 2)
@@ -183,7 +181,7 @@ def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path) -> None:
     assert scores["soccer:length=101.3,width=66.2"] > scores["soccer"] + 0.1
 
 
-def test_groups_have_sizes_of_their_own(cli, short, groups) -> None:
+def test_groups_have_sizes_of_their_own(cli, short, groups):
     done = cli("field-size", short, "--groups", groups)
     assert done.exit_code == 0, done.stderr
     assert "a stand" in done.stdout
@@ -197,7 +195,7 @@ def kept_in(dataset: Path) -> dict[str, float]:
     return kept.get("dimensions", {})
 
 
-def test_dimensions_that_were_kept_before_stay(cli, tmp_path) -> None:
+def test_dimensions_that_were_kept_before_stay(cli, tmp_path):
     match = tmp_path / "match"
     write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2), 3)
     database = WorkspaceDatabase.open(match, "tester")
@@ -213,7 +211,7 @@ def test_dimensions_that_were_kept_before_stay(cli, tmp_path) -> None:
     assert kept_in(match)["length"] == 101.3
 
 
-def test_dimensions_are_kept_where_the_window_looks(cli, tmp_path) -> None:
+def test_dimensions_are_kept_where_the_window_looks(cli, tmp_path):
     match = tmp_path / "match"
     write_annotations(match / "annotations", load_field("soccer"), 4)
     done = cli("field-size", match / "annotations", "--save")
@@ -228,7 +226,7 @@ def test_dimensions_are_kept_where_the_window_looks(cli, tmp_path) -> None:
     assert field_of_dataset(alone).field.described in done.stdout.splitlines()[-1]
 
 
-def test_a_single_frame_keeps_no_dimensions(cli, tmp_path) -> None:
+def test_a_single_frame_keeps_no_dimensions(cli, tmp_path):
     write_annotations(tmp_path / "annotations", load_field("soccer"), 4)
     _, *others = sorted((tmp_path / "annotations").glob("*.json"))
     for path in others:
@@ -239,7 +237,7 @@ def test_a_single_frame_keeps_no_dimensions(cli, tmp_path) -> None:
     assert not (tmp_path / ".procc").exists()
 
 
-def test_an_archive_keeps_no_dimensions(cli, short, tmp_path) -> None:
+def test_an_archive_keeps_no_dimensions(cli, short, tmp_path):
     archive = tmp_path / "match.zip"
     with zipfile.ZipFile(archive, "w") as file:
         for path in sorted((short / "annotations").glob("*.json")):
@@ -249,9 +247,7 @@ def test_an_archive_keeps_no_dimensions(cli, short, tmp_path) -> None:
     assert "is an archive" in done.stderr
 
 
-def test_positions_of_another_run_are_not_replaced_and_not_passed_over(
-    cli, short, tmp_path
-) -> None:
+def test_positions_of_another_run_are_not_replaced_and_not_passed_over(cli, short, tmp_path):
     out = tmp_path / "cameras"
     out.mkdir()
     theirs = out / "positions.csv"
@@ -269,7 +265,7 @@ def test_positions_of_another_run_are_not_replaced_and_not_passed_over(
     assert theirs.read_text().startswith("position,frames")
 
 
-def test_it_says_which_models_were_chosen(cli, short, tmp_path) -> None:
+def test_it_says_which_models_were_chosen(cli, short, tmp_path):
     done = cli("calibrate", short, tmp_path / "out", "--shared-position", "-m", "auto")
     assert done.exit_code == 0, done.stderr
     models = [row["model"] for row in read(tmp_path / "out" / "calibration.csv")]

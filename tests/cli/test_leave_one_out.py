@@ -1,7 +1,5 @@
 """`calibrate --leave-one-out` leaves its figures where `evaluate` and `report` find them."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -50,7 +48,7 @@ def passed(found: list[dict[str, str]], column: str, tau: float) -> float:
     return sum(bool(row[column]) and float(row[column]) < tau for row in found) / len(found)
 
 
-def test_frames_annotated_alike_count_once_each(cli, clicked, tmp_path) -> None:
+def test_frames_annotated_alike_count_once_each(cli, clicked, tmp_path):
     (alike := tmp_path / "alike").mkdir()
     for name in ("a", "b", "c"):
         shutil.copy(clicked / ("3.json" if name == "c" else "1.json"), alike / f"{name}.json")
@@ -64,7 +62,7 @@ def test_frames_annotated_alike_count_once_each(cli, clicked, tmp_path) -> None:
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_the_report_tells_them_beside_the_fit(cli, clicked, fits, tmp_path) -> None:
+def test_the_report_tells_them_beside_the_fit(cli, clicked, fits, tmp_path):
     report = tmp_path / "r"
     outputs = [arg for kind in ("html", "csv", "json", "tex") for arg in ("-o", f"{report}.{kind}")]
     done = cli(
@@ -92,7 +90,7 @@ def test_the_report_tells_them_beside_the_fit(cli, clicked, fits, tmp_path) -> N
         assert share in text
 
 
-def test_evaluate_tells_them_and_how_to_get_them(cli, clicked, fits, tmp_path) -> None:
+def test_evaluate_tells_them_and_how_to_get_them(cli, clicked, fits, tmp_path):
     out = tmp_path / "s.json"
     done = cli("evaluate", clicked, fits, *TAUS, "-o", out)
     assert "elements left out in turn" in plain(done.stdout)
@@ -106,12 +104,12 @@ def test_evaluate_tells_them_and_how_to_get_them(cli, clicked, fits, tmp_path) -
     assert json.loads(out.read_text())["held_out"]["results"] == {}
 
 
-def test_terms_that_differ_are_told(cli, clicked, fits) -> None:
+def test_terms_that_differ_are_told(cli, clicked, fits):
     done = cli("evaluate", clicked, fits, "--protocol", "procc")
     assert "for this protocol, size and field (but for soccernet, 960x540)" in plain(done.stdout)
 
 
-def test_figures_belong_to_the_camera_they_were_made_for(cli, clicked, fits, tmp_path) -> None:
+def test_figures_belong_to_the_camera_they_were_made_for(cli, clicked, fits, tmp_path):
     """Fitted anew with another model, or to clicks that changed since, a camera has none."""
     other = tmp_path / "P"
     shutil.copytree(fits, other)
@@ -130,7 +128,7 @@ def test_figures_belong_to_the_camera_they_were_made_for(cli, clicked, fits, tmp
     assert (found["frames"], found["elements"]) == (4, len(told))
 
 
-def test_a_damaged_table_is_told_and_loses_nothing(cli, clicked, fits, tmp_path) -> None:
+def test_a_damaged_table_is_told_and_loses_nothing(cli, clicked, fits, tmp_path):
     broken = tmp_path / "broken"
     shutil.copytree(fits, broken)
     lines = (broken / "held_out.csv").read_text().splitlines()
@@ -143,12 +141,12 @@ def test_a_damaged_table_is_told_and_loses_nothing(cli, clicked, fits, tmp_path)
     assert "5 with a camera" in plain(done.stdout)
 
 
-def test_methods_have_no_such_table(cli, dataset) -> None:
+def test_methods_have_no_such_table(cli, dataset):
     assert "left out" not in cli("evaluate", *dataset.set_arguments).stdout
 
 
 @pytest.mark.parametrize("model", ["R", "H"])
-def test_fits_of_a_tree_are_known_by_the_tables_at_its_top(cli, dataset, tmp_path, model) -> None:
+def test_fits_of_a_tree_are_known_by_the_tables_at_its_top(cli, dataset, tmp_path, model):
     tree, fits, out = tmp_path / "tree", tmp_path / "fits", tmp_path / "s.json"
     for folder, frames in (("one", ("1", "2")), ("two", ("3",))):
         (tree / folder).mkdir(parents=True)
@@ -175,7 +173,7 @@ def exact_fits(cli, dataset, tmp_path) -> Path:
     return out
 
 
-def test_evaluate_marks_them_in_every_output(cli, dataset, exact_fits, tmp_path) -> None:
+def test_evaluate_marks_them_in_every_output(cli, dataset, exact_fits, tmp_path):
     out, table = tmp_path / "scores.json", tmp_path / "scores.csv"
     done = cli(
         "evaluate", dataset.annotations, "--cameras", f"theirs={dataset.cameras}",
@@ -200,7 +198,7 @@ def move_a_point(dataset, names) -> None:
         path.write_text(json.dumps(content))
 
 
-def test_a_point_moved_since_makes_a_fit_no_method(cli, dataset, exact_fits, tmp_path) -> None:
+def test_a_point_moved_since_makes_a_fit_no_method(cli, dataset, exact_fits, tmp_path):
     move_a_point(dataset, ("1", "2"))
     some = f"{MARK}, or to another version of these annotations"
     assert some in plain(cli("evaluate", dataset.annotations, exact_fits).stdout)
@@ -223,7 +221,7 @@ def test_a_point_moved_since_makes_a_fit_no_method(cli, dataset, exact_fits, tmp
 
 
 @pytest.mark.parametrize("to", ["krt", "opencv", "soccernet-camera", "submission", "polylines"])
-def test_a_converted_fit_is_still_one(cli, dataset, exact_fits, tmp_path, to) -> None:
+def test_a_converted_fit_is_still_one(cli, dataset, exact_fits, tmp_path, to):
     first, out = tmp_path / "first", tmp_path / "out.zip"
     assert cli("convert", exact_fits, first, "--to", "krt").exit_code == 0
     assert cli("convert", first, out, "--to", to).exit_code == 0
@@ -232,7 +230,7 @@ def test_a_converted_fit_is_still_one(cli, dataset, exact_fits, tmp_path, to) ->
 
 
 @pytest.mark.parametrize(("model", "kept"), [("H", "calibration.csv"), ("R", "camera_*.json")])
-def test_one_of_both_places_is_enough(cli, dataset, tmp_path, model, kept) -> None:
+def test_one_of_both_places_is_enough(cli, dataset, tmp_path, model, kept):
     """Homographies are known by the table beside them, pinholes by their own file as well."""
     exact_fits, moved = tmp_path / "all", tmp_path / "moved"
     assert cli("calibrate", dataset.root, exact_fits, "--model", model).exit_code == 0
@@ -244,7 +242,7 @@ def test_one_of_both_places_is_enough(cli, dataset, tmp_path, model, kept) -> No
     assert MARK in plain(cli("evaluate", dataset.annotations, archive).stdout)
 
 
-def test_a_table_of_something_else_says_nothing(cli, dataset) -> None:
+def test_a_table_of_something_else_says_nothing(cli, dataset):
     for text in ("name,jac\n1,2\n", "\x00\xff", 'name,annotation_sha256\n"1'):
         (dataset.cameras / "calibration.csv").write_text(text)
         done = cli("evaluate", dataset.annotations, dataset.cameras)
@@ -252,7 +250,7 @@ def test_a_table_of_something_else_says_nothing(cli, dataset) -> None:
         assert MARK not in done.stdout
 
 
-def test_the_report_marks_them_and_ranks_methods_only(cli, dataset, exact_fits, tmp_path) -> None:
+def test_the_report_marks_them_and_ranks_methods_only(cli, dataset, exact_fits, tmp_path):
     out = tmp_path / "r.html"
     given = [f"theirs={dataset.cameras}", f"ours={exact_fits}"]
     done = cli(
@@ -274,7 +272,7 @@ def test_the_report_marks_them_and_ranks_methods_only(cli, dataset, exact_fits, 
     assert (ours["fitted_on_these_clicks"], "fitted_on_these_clicks" in theirs) == (5, False)
 
 
-def test_compare_marks_them_where_it_knows_the_dataset(cli, dataset, exact_fits, tmp_path) -> None:
+def test_compare_marks_them_where_it_knows_the_dataset(cli, dataset, exact_fits, tmp_path):
     out = tmp_path / "compared.json"
     done = cli(
         "compare", f"theirs={dataset.cameras}", f"ours={exact_fits}", dataset.root, "-o", out
@@ -288,7 +286,7 @@ def test_compare_marks_them_where_it_knows_the_dataset(cli, dataset, exact_fits,
     )
 
 
-def test_compare_marks_them_in_the_intervals_of_both(cli, dataset, exact_fits, tmp_path) -> None:
+def test_compare_marks_them_in_the_intervals_of_both(cli, dataset, exact_fits, tmp_path):
     out = tmp_path / "compared.json"
     pair = (f"theirs={dataset.cameras}", f"ours={exact_fits}", dataset.root)
     done = cli("compare", *pair, "--versus", f"again={exact_fits}", "-o", out)
@@ -326,7 +324,7 @@ def clicked_wide(dataset) -> Path:
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
 @pytest.mark.parametrize("model", ["R", "H"])
-def test_calibrate_evaluate_and_report_agree(cli, clicked_wide, tmp_path, model, protocol) -> None:
+def test_calibrate_evaluate_and_report_agree(cli, clicked_wide, tmp_path, model, protocol):
     fits, scores, report = tmp_path / "fits", tmp_path / "s", tmp_path / "r.json"
     terms = (*THREE_TAUS, "--protocol", protocol)
     assert cli("calibrate", clicked_wide, fits, "--model", model, *terms).exit_code == 0

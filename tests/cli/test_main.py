@@ -1,7 +1,5 @@
 """The command itself: version, help, what a bare path does, errors."""
 
-from __future__ import annotations
-
 import json
 import os
 import re
@@ -32,18 +30,18 @@ def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]
     )
 
 
-def test_version(cli) -> None:
+def test_version(cli):
     assert cli("--version").stdout.strip() == f"procc-annotator {__version__}"
 
 
-def test_help_lists_the_commands_and_shows_examples(cli) -> None:
+def test_help_lists_the_commands_and_shows_examples(cli):
     text = cli("--help").stdout
     assert all(f"  {name} " in text for name in COMMANDS)
     assert "Examples:" in text
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_every_command_has_help_with_an_example(cli, name) -> None:
+def test_every_command_has_help_with_an_example(cli, name):
     done = cli(name, "--help")
     assert done.exit_code == 0
     example = done.stdout.split("Example:")[1]
@@ -52,14 +50,14 @@ def test_every_command_has_help_with_an_example(cli, name) -> None:
     assert [option.name for option in options if not option.help] == []
 
 
-def test_a_mistyped_command_is_recognised(cli) -> None:
+def test_a_mistyped_command_is_recognised(cli):
     done = cli("evalute", "a", "b")
     assert done.exit_code == 2
     assert "evaluate" in done.stderr
 
 
 @pytest.mark.parametrize("arguments", [[], ["open"], ["."], ["--cameras", "."]])
-def test_without_a_display_the_window_says_so(arguments) -> None:
+def test_without_a_display_the_window_says_so(arguments):
     done = run(*arguments, DISPLAY="", WAYLAND_DISPLAY="", QT_QPA_PLATFORM="")
     if not sys.platform.startswith("linux"):
         pytest.skip("other systems always have a display")
@@ -69,7 +67,7 @@ def test_without_a_display_the_window_says_so(arguments) -> None:
 
 
 @pytest.mark.parametrize("command", [[], ["open"]])
-def test_a_path_opens_the_window(cli, qapp, monkeypatch, tmp_path, command) -> None:
+def test_a_path_opens_the_window(cli, qapp, monkeypatch, tmp_path, command):
     from procc_annotator.gui import app as gui_app
 
     opened, fields = [], []
@@ -96,7 +94,7 @@ def test_a_path_opens_the_window(cli, qapp, monkeypatch, tmp_path, command) -> N
     assert fields[3:] == ["tennis"]
 
 
-def test_a_path_that_does_not_exist_is_one_line(cli) -> None:
+def test_a_path_that_does_not_exist_is_one_line(cli):
     done = cli("open", "/no/such/folder")
     assert done.exit_code == 2
     assert done.stderr.strip() == "procc-annotator: /no/such/folder: does not exist"
@@ -107,7 +105,7 @@ def test_a_path_that_does_not_exist_is_one_line(cli) -> None:
     [("procc_annotator.report.scores.scoring", "run_evaluation"), ("typer.main", "get_command")],
     ids=["at work", "before it"],
 )
-def test_an_interrupt_leaves_no_traceback(dataset, tmp_path, module, function) -> None:
+def test_an_interrupt_leaves_no_traceback(dataset, tmp_path, module, function):
     code = (
         f"import {module} as s\n"
         "def stop(*a, **k): raise KeyboardInterrupt\n"
@@ -122,13 +120,13 @@ def test_an_interrupt_leaves_no_traceback(dataset, tmp_path, module, function) -
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full on this system")
-def test_a_character_that_the_reader_does_not_know_is_replaced() -> None:
+def test_a_character_that_the_reader_does_not_know_is_replaced():
     done = run("export", "--help", PYTHONIOENCODING="latin-1")
     assert done.returncode == 0, done.stderr
     assert "(test, valid, ?)" in done.stdout
 
 
-def test_a_full_standard_output_is_one_line(dataset) -> None:
+def test_a_full_standard_output_is_one_line(dataset):
     command = [sys.executable, "-m", "procc_annotator", "evaluate", *dataset.set_arguments]
     with open("/dev/full", "w") as full:
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
@@ -137,7 +135,7 @@ def test_a_full_standard_output_is_one_line(dataset) -> None:
     assert "the standard output cannot be written" in line
 
 
-def test_an_unexpected_error_is_one_line_and_its_traceback_is_in_the_log(dataset, tmp_path) -> None:
+def test_an_unexpected_error_is_one_line_and_its_traceback_is_in_the_log(dataset, tmp_path):
     code = "from procc_annotator.batch import evaluation as run; del run.EvaluationRun\n"
     code += "from procc_annotator.cli.main import run; run()"
     done = subprocess.run(
@@ -156,7 +154,7 @@ def test_an_unexpected_error_is_one_line_and_its_traceback_is_in_the_log(dataset
     assert "Traceback" in log.read_text()
 
 
-def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None:
+def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path):
     match, cameras = tmp_path / "one", tmp_path / "cameras"
     match.mkdir()
     cameras.mkdir()
@@ -187,7 +185,7 @@ def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None
     [("evaluate", 150), ("report", 150), ("calibrate", 20), ("check", 20), ("compare", 20),
      ("agree", 20)],
 )  # fmt: skip
-def test_two_processes_write_the_same_files(cli, dataset, tmp_path, command, frames) -> None:
+def test_two_processes_write_the_same_files(cli, dataset, tmp_path, command, frames):
     """More frames than one chunk has, in real processes."""
     second, cameras = tmp_path / "second", tmp_path / "cameras"
     for number in range(frames):
@@ -222,7 +220,7 @@ DEEP = b'{"a":' * 1000 + b"1" + b"}" * 1000
 
 
 @pytest.mark.parametrize("reader", ["repeat", "submission", "before", "click noise"])
-def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader) -> None:
+def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader):
     file = tmp_path / ("release.json" if reader == "before" else "deep.json")
     file.write_bytes(DEEP)
     with zipfile.ZipFile(tmp_path / "sub.zip", "w") as archive:
@@ -240,7 +238,7 @@ def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader)
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_dataset_with_a_name_as_long_as_it_may_be(cli, dataset, tmp_path) -> None:
+def test_a_dataset_with_a_name_as_long_as_it_may_be(cli, dataset, tmp_path):
     place = dataset.root.rename(tmp_path / ("d" * 255))
     done = cli("check", place)
     assert done.exit_code in (0, 1), done.output
@@ -248,7 +246,7 @@ def test_a_dataset_with_a_name_as_long_as_it_may_be(cli, dataset, tmp_path) -> N
 
 
 @pytest.mark.parametrize("out", ["file/below", "d" * 256])
-def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out) -> None:
+def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out):
     (tmp_path / "file").write_bytes(b"")
     done = cli("annotate", dataset.root, tmp_path / out, "--cameras", dataset.cameras)
     assert done.exit_code == 2
@@ -264,9 +262,7 @@ def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out) -
         ("release", "--no-check", "--licence", "CC0-1.0"),
     ],
 )
-def test_a_stopped_run_goes_on_by_being_run_again(
-    cli, dataset, tmp_path, monkeypatch, more
-) -> None:
+def test_a_stopped_run_goes_on_by_being_run_again(cli, dataset, tmp_path, monkeypatch, more):
     """Stopped after every file that it puts into its place, in turn."""
     command, *options = more
 
@@ -301,7 +297,7 @@ def test_a_stopped_run_goes_on_by_being_run_again(
         assert files(out) == whole
 
 
-def test_a_removed_command_says_what_to_use(cli) -> None:
+def test_a_removed_command_says_what_to_use(cli):
     done = cli("gold", "match/", "anna/")
     assert done.exit_code == 2
     assert "gold was removed: use agree --reference" in done.stderr
@@ -310,7 +306,7 @@ def test_a_removed_command_says_what_to_use(cli) -> None:
     assert "--table was removed: write each run with --output" in done.stderr
 
 
-def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
+def test_an_option_of_the_release_before_is_translated(cli, dataset):
     old, new = (
         cli("check", dataset.root, severity, no_pictures)
         for severity, no_pictures in (
@@ -322,7 +318,7 @@ def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
     assert "deprecated" not in new.stderr
 
 
-def test_help_does_not_load_arrays_or_pictures() -> None:
+def test_help_does_not_load_arrays_or_pictures():
     code = (
         "import sys\n"
         "from procc_annotator.cli.main import run\n"
@@ -350,7 +346,7 @@ def nobody_reads(monkeypatch) -> None:
     monkeypatch.setattr(console._Console, "_write", broken)
 
 
-def test_the_comparison_is_written(cli, dataset, tmp_path, nobody_reads) -> None:
+def test_the_comparison_is_written(cli, dataset, tmp_path, nobody_reads):
     cameras, out, pictures = dataset.root / "cameras", tmp_path / "c.json", tmp_path / "pictures"
     with pytest.raises(ReaderLeft):
         cli("compare", f"a={cameras}", f"b={cameras}", "-o", out, "--pictures", pictures)
@@ -358,7 +354,7 @@ def test_the_comparison_is_written(cli, dataset, tmp_path, nobody_reads) -> None
     assert list(pictures.iterdir())
 
 
-def test_the_figures_over_time_are_written(cli, dataset, tmp_path, nobody_reads) -> None:
+def test_the_figures_over_time_are_written(cli, dataset, tmp_path, nobody_reads):
     out, shots = tmp_path / "t.json", tmp_path / "shots.csv"
     shots.write_text("frame,shot\n" + "".join(f"{name},one\n" for name in dataset.pans))
     with pytest.raises(ReaderLeft):
@@ -367,7 +363,7 @@ def test_the_figures_over_time_are_written(cli, dataset, tmp_path, nobody_reads)
     assert json.loads(out.read_text())
 
 
-def test_the_dimensions_are_kept(cli, dataset, tmp_path, nobody_reads) -> None:
+def test_the_dimensions_are_kept(cli, dataset, tmp_path, nobody_reads):
     match = tmp_path / "alone"
     shutil.copytree(dataset.annotations, match)
     with pytest.raises(ReaderLeft):

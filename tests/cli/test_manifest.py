@@ -1,7 +1,5 @@
 """``--manifest`` and ``procc-annotator repeat`` as a user runs them."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path
@@ -35,7 +33,7 @@ def manifest(cli, data, tmp_path) -> Path:
     return path
 
 
-def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest, data) -> None:
+def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest, data):
     text = manifest.read_text()
     found = json.loads(text)
     assert str(data.parent) not in text
@@ -55,7 +53,7 @@ def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest, data) -> 
     assert evaluation["summary"].keys() == {"5", "2"}
 
 
-def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_path) -> None:
+def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_path):
     elsewhere = tmp_path / "far" / "away"
     shutil.copytree(data, elsewhere)
     shutil.rmtree(data)
@@ -69,7 +67,7 @@ def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_p
     assert json.loads(old.read_text())["format"] == "procc-annotator manifest 1"
 
 
-def test_what_differs_is_listed(cli, manifest, data, tmp_path) -> None:
+def test_what_differs_is_listed(cli, manifest, data, tmp_path):
     (data / "00001.json").unlink()
     camera = data / "cameras" / "true" / "camera_00002.json"
     content = json.loads(camera.read_text())
@@ -94,7 +92,7 @@ def test_what_differs_is_listed(cli, manifest, data, tmp_path) -> None:
     assert len(shown) < 50 < len(lines)
 
 
-def test_the_least_change_of_a_metric_is_a_difference(cli, manifest, data) -> None:
+def test_the_least_change_of_a_metric_is_a_difference(cli, manifest, data):
     content = json.loads(manifest.read_text())
     content["metrics"]["evaluations"][1]["summary"]["5"]["mean_jac"] *= 1 + 1e-11
     manifest.write_text(json.dumps(content))
@@ -104,9 +102,7 @@ def test_the_least_change_of_a_metric_is_a_difference(cli, manifest, data) -> No
     assert done.exit_code == 1
 
 
-def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(
-    cli, data, tmp_path
-) -> None:
+def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(cli, data, tmp_path):
     tags, tex, own = data / "tags.csv", tmp_path / "t.tex", tmp_path / "own.json"
     frames = sorted(path.stem for path in data.glob("*.json"))
     tags.write_text("frame,half\n" + "\n".join(f"{f},{n % 2}" for n, f in enumerate(frames)))
@@ -143,7 +139,7 @@ def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(
         ('{"format": "procc-annotator recipe 1"}', "run its command again with --manifest"),
     ],
 )
-def test_what_is_no_manifest(cli, tmp_path, content, says) -> None:
+def test_what_is_no_manifest(cli, tmp_path, content, says):
     path = tmp_path / "r.json"
     path.write_text(content)
     done = cli("repeat", path)
@@ -162,14 +158,14 @@ def test_what_is_no_manifest(cli, tmp_path, content, says) -> None:
         ({"inputs": {"else.json": ["", 0]}}, "is not in"),
     ],
 )
-def test_a_manifest_that_is_refused(cli, manifest, data, change, says) -> None:
+def test_a_manifest_that_is_refused(cli, manifest, data, change, says):
     manifest.write_text(json.dumps(json.loads(manifest.read_text()) | change))
     done = cli("repeat", manifest, "--data", data)
     assert done.exit_code == 2
     assert says in " ".join(done.stderr.split())
 
 
-def test_a_manifest_writes_nothing_among_the_data(cli, manifest, data) -> None:
+def test_a_manifest_writes_nothing_among_the_data(cli, manifest, data):
     content = json.loads(manifest.read_text())
     content["options"] |= {"output": ["00001.json"], "over_time_output": ["t.csv"]}
     manifest.write_text(json.dumps(content))
@@ -178,7 +174,7 @@ def test_a_manifest_writes_nothing_among_the_data(cli, manifest, data) -> None:
     assert {path: path.read_bytes() for path in data.rglob("*") if path.is_file()} == before
 
 
-def test_fits_landmarks_and_views_are_inputs(cli, data, tmp_path) -> None:
+def test_fits_landmarks_and_views_are_inputs(cli, data, tmp_path):
     known = {"name": "Floodlight NE", "position": [61.2, -45.0, -28.4]}
     (data / "landmarks.json").write_text(json.dumps({"landmarks": [known]}))
     (data / "views.csv").write_text("frame,instant,view\n00001,1,main\n")

@@ -1,7 +1,5 @@
 """Other programs read what is written here, and are read: those that `make clients` installs."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -75,15 +73,15 @@ def _require_same(read: dict[str, Any], expected: dict[str, dict[str, np.ndarray
     ("fmt", "called"),
     [("coco", "coco_person_keypoints"), ("cvat", "cvat"), ("cvat-video", "cvat")],
 )
-def test_datumaro_reads_every_point_and_picture(client, written, sample_data, fmt, called) -> None:
+def test_datumaro_reads_every_point_and_picture(client, written, sample_data, fmt, called):
     _require_same(client("datumaro-read", called, written(fmt)), _expected(sample_data))
 
 
-def test_labelme_reads_every_point_and_picture(client, written, sample_data) -> None:
+def test_labelme_reads_every_point_and_picture(client, written, sample_data):
     _require_same(client("labelme-read", written("labelme")), _expected(sample_data))
 
 
-def test_what_labelme_saves_is_read_back(client, written, cli, sample_data, tmp_path) -> None:
+def test_what_labelme_saves_is_read_back(client, written, cli, sample_data, tmp_path):
     folder, saved = written("labelme"), tmp_path / "saved"
     saved.mkdir()
     for picture in folder.glob("*.jpg"):
@@ -95,7 +93,7 @@ def test_what_labelme_saves_is_read_back(client, written, cli, sample_data, tmp_
 @pytest.mark.parametrize(("fmt", "called"), [("coco", "coco_person_keypoints"), ("cvat", "cvat")])
 def test_what_datumaro_exports_is_read_back(
     client, written, cli, sample_data, tmp_path, fmt, called
-) -> None:
+):
     exported = tmp_path / "exported"
     client("datumaro-write", called, written(fmt), called, exported)
     _require_no_difference(cli, sample_data, exported)
@@ -111,7 +109,7 @@ def _require_no_difference(cli, own: Path, other: Path) -> None:
 
 
 @pytest.mark.parametrize("program", ["pandas", "duckdb"])
-def test_tables_are_read(client, cli, sample_data, tmp_path, program) -> None:
+def test_tables_are_read(client, cli, sample_data, tmp_path, program):
     table = tmp_path / "scores.csv"
     done = cli("evaluate", sample_data, sample_data / "cameras" / "bad", "-o", table)
     assert done.exit_code == 0, done.output
@@ -154,7 +152,7 @@ def test_pycocotools_indexes_every_point_and_finds_the_pictures(coco_set, sample
                 np.testing.assert_allclose(found[name], own, atol=1e-12)
 
 
-def test_pycocotools_scores_the_set_against_itself(coco_set, capsys) -> None:
+def test_pycocotools_scores_the_set_against_itself(coco_set, capsys):
     module = pytest.importorskip("pycocotools.coco", reason="pycocotools is not installed")
     from pycocotools.cocoeval import COCOeval
 

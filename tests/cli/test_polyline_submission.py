@@ -1,7 +1,5 @@
 """A benchmark of projected polylines: written, checked and scored, by two who share no camera."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import zipfile
@@ -66,7 +64,7 @@ def data(sample_data, tmp_path) -> Path:
 
 @pytest.mark.parametrize("protocol", ["procc", "soccernet"])
 @pytest.mark.parametrize("source", SOURCES)
-def test_polylines_score_as_their_cameras_do(cli, data, tmp_path, source, protocol) -> None:
+def test_polylines_score_as_their_cameras_do(cli, data, tmp_path, source, protocol):
     archive, own, theirs = tmp_path / "s.zip", tmp_path / "own.json", tmp_path / "theirs.json"
     submit(cli, data, source, archive, "--protocol", protocol, "--method", "mine")
     cameras = data / "cameras" / source
@@ -81,7 +79,7 @@ def test_polylines_score_as_their_cameras_do(cli, data, tmp_path, source, protoc
         assert summary(theirs)[key] == pytest.approx(summary(own)[key], abs=2e-3), key
 
 
-def test_polylines_cut_to_the_picture_are_no_method_of_procc(cli, data, tmp_path) -> None:
+def test_polylines_cut_to_the_picture_are_no_method_of_procc(cli, data, tmp_path):
     """Their distances are not the camera's."""
     annotations, size = load_annotations(data), (960, 540)
     cameras = load_cameras(data / "cameras" / "true")
@@ -109,13 +107,13 @@ def test_polylines_cut_to_the_picture_are_no_method_of_procc(cli, data, tmp_path
         assert "its polylines are cut to the picture" in " ".join(done.stderr.split())
 
 
-def test_cameras_that_hardly_belong_to_the_size_are_told(cli, data, tmp_path) -> None:
+def test_cameras_that_hardly_belong_to_the_size_are_told(cli, data, tmp_path):
     done = cli("convert", data / "cameras" / "pinhole", tmp_path / "s.zip", "--to", "polylines",
                "--size", "1280x720")  # fmt: skip
     assert "in the exact middle of 960x540, not of 1280x720" in done.stderr
 
 
-def test_what_it_was_made_for_counts(cli, data, tmp_path) -> None:
+def test_what_it_was_made_for_counts(cli, data, tmp_path):
     archive = tmp_path / "s.zip"
     submit(cli, data, "true", archive, "--protocol", "procc")
 
@@ -131,7 +129,7 @@ def test_what_it_was_made_for_counts(cli, data, tmp_path) -> None:
     assert "other frames" in refused("--protocol", "procc")
 
 
-def test_findings_of_a_poor_submission(cli, data, tmp_path) -> None:
+def test_findings_of_a_poor_submission(cli, data, tmp_path):
     good = tmp_path / "s.zip"
     submit(cli, data, "true", good)
     poor = changed(
@@ -161,7 +159,7 @@ def test_findings_of_a_poor_submission(cli, data, tmp_path) -> None:
     ("text", "said"),
     [(b"{", "is no manifest"), (b'{"format": 1}', "is no manifest"), (None, "no manifest.json")],
 )
-def test_a_manifest_that_cannot_be_used(cli, data, tmp_path, text, said) -> None:
+def test_a_manifest_that_cannot_be_used(cli, data, tmp_path, text, said):
     good = tmp_path / "s.zip"
     submit(cli, data, "true", good)
     bad = changed(good, tmp_path / "bad.zip", **{"manifest.json": text})
@@ -170,7 +168,7 @@ def test_a_manifest_that_cannot_be_used(cli, data, tmp_path, text, said) -> None
     assert said in done.output
 
 
-def test_a_name_from_a_manifest_is_only_a_name(cli, data, tmp_path) -> None:
+def test_a_name_from_a_manifest_is_only_a_name(cli, data, tmp_path):
     good = tmp_path / "s.zip"
     submit(cli, data, "true", good)
     content = manifest(good) | {"method": "../../x=y:{set}\n" + "z" * 300}
@@ -181,15 +179,13 @@ def test_a_name_from_a_manifest_is_only_a_name(cli, data, tmp_path) -> None:
     assert not set(method) & set("=:/{}\n")
 
 
-def test_only_an_archive_takes_polylines(cli, data, tmp_path) -> None:
+def test_only_an_archive_takes_polylines(cli, data, tmp_path):
     done = cli("convert", data / "cameras" / "true", tmp_path / "out", "--to", "polylines")
     assert done.exit_code == 2
     assert ".zip" in done.output
 
 
-def test_names_may_begin_at_the_top_of_the_archive_and_be_composed_otherwise(
-    cli, data, tmp_path
-) -> None:
+def test_names_may_begin_at_the_top_of_the_archive_and_be_composed_otherwise(cli, data, tmp_path):
     composed, apart = "caf\u00e9.json", "cafe\u0301.json"
     (data / "00001.json").rename(data / composed)
     (data / "cameras/true/camera_00001.json").rename(data / f"cameras/true/camera_{apart}")
@@ -212,7 +208,7 @@ def test_names_may_begin_at_the_top_of_the_archive_and_be_composed_otherwise(
 CAMERA = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -15.0), (1400.0, 1410.0), (479.5, 269.5))
 
 
-def test_a_good_and_an_incomplete_submission(tmp_path) -> None:
+def test_a_good_and_an_incomplete_submission(tmp_path):
     path = tmp_path / "submission.zip"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("valid/camera_1.json", write_camera(CAMERA))

@@ -1,7 +1,5 @@
 """``procc-annotator propose``: what becomes of proposals, whoever makes them."""
 
-from __future__ import annotations
-
 import csv
 import json
 import shutil
@@ -92,7 +90,7 @@ def files(out: Path) -> list[str]:
     return sorted(str(path.relative_to(out)) for path in out.rglob("*") if path.is_file())
 
 
-def test_sure_cameras_unsure_ones_and_none(cli, bare, pretend, fits, tmp_path) -> None:
+def test_sure_cameras_unsure_ones_and_none(cli, bare, pretend, fits, tmp_path):
     said = [proposal(fits["1"], "sure"), proposal(fits["2"], "unsure", "-too little in sight")]
     pretend([*said, none(), none(), none()])
     out = tmp_path / "out"
@@ -114,7 +112,7 @@ def test_sure_cameras_unsure_ones_and_none(cli, bare, pretend, fits, tmp_path) -
     assert (rows["3"]["residual_px"], rows["3"]["sd_x_m"]) == ("", "")
 
 
-def test_annotated_frames_are_passed_over(cli, dataset, pretend, fits, tmp_path) -> None:
+def test_annotated_frames_are_passed_over(cli, dataset, pretend, fits, tmp_path):
     (dataset.annotations / "3.json").unlink()
     (dataset.annotations / "10.json").write_text("{}")
     pretend([proposal(fits["3"], "sure"), none()])
@@ -129,7 +127,7 @@ def test_annotated_frames_are_passed_over(cli, dataset, pretend, fits, tmp_path)
 
 def test_a_damaged_annotation_is_named_and_its_frame_passed_over(
     cli, bare, pretend, fits, tmp_path
-) -> None:
+):
     (bare.annotations / "2.json").write_text("{")
     pretend([proposal(fits[name], "sure") for name in NAMES if name != "2"])
     done = cli("propose", bare.root, tmp_path / "out")
@@ -139,9 +137,7 @@ def test_a_damaged_annotation_is_named_and_its_frame_passed_over(
     assert "2" not in table(tmp_path / "out")
 
 
-def test_sure_frames_tell_the_others_where_the_camera_stands(
-    cli, bare, pretend, fits, tmp_path
-) -> None:
+def test_sure_frames_tell_the_others_where_the_camera_stands(cli, bare, pretend, fits, tmp_path):
     first = [proposal(fits[name], "sure") for name in NAMES[:3]]
     first += [proposal(fits["10"], "unsure"), none()]
     finder = pretend([*first, proposal(fits["10"], "sure"), none()])
@@ -161,7 +157,7 @@ def test_sure_frames_tell_the_others_where_the_camera_stands(
 
 
 @pytest.mark.parametrize("given", ["cameras", "positions"])
-def test_known_positions(cli, bare, pretend, tmp_path, given) -> None:
+def test_known_positions(cli, bare, pretend, tmp_path, given):
     known = bare.cameras
     if given == "positions":
         known = tmp_path / "positions.csv"
@@ -175,7 +171,7 @@ def test_known_positions(cli, bare, pretend, tmp_path, given) -> None:
         assert (np.linalg.eigvalsh(position.covariance) > 0).all()
 
 
-def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path) -> None:
+def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path):
     finder = pretend([])
     table_file = tmp_path / "positions.csv"
     for text, said in (
@@ -194,7 +190,7 @@ def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path) -> None:
     assert not finder.known
 
 
-def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, bare, pretend, tmp_path) -> None:
+def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, bare, pretend, tmp_path):
     (bare.root / "2.jpg").write_bytes(b"no picture")
     pretend([none()] * 4)
     done = cli("propose", bare.root, tmp_path / "out")
@@ -204,9 +200,7 @@ def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, bare, pretend, 
     assert table(tmp_path / "out")["2"]["state"] == "unreadable"
 
 
-def test_nothing_is_replaced_that_nobody_asked_to_replace(
-    cli, bare, pretend, fits, tmp_path
-) -> None:
+def test_nothing_is_replaced_that_nobody_asked_to_replace(cli, bare, pretend, fits, tmp_path):
     out = tmp_path / "out"
     pretend([proposal(fits["1"], "sure"), *[none()] * 4])
     assert cli("propose", bare.root, out).exit_code == 0
@@ -219,7 +213,7 @@ def test_nothing_is_replaced_that_nobody_asked_to_replace(
     assert files(out) == ["proposals.csv"]  # what was sure before is none now
 
 
-def test_cameras_in_folders_of_out_are_not_replaced_either(cli, bare, pretend, tmp_path) -> None:
+def test_cameras_in_folders_of_out_are_not_replaced_either(cli, bare, pretend, tmp_path):
     match = tmp_path / "halves"
     for half in ("1", "2"):
         shutil.copytree(bare.root, match / half)
@@ -235,7 +229,7 @@ def test_cameras_in_folders_of_out_are_not_replaced_either(cli, bare, pretend, t
         assert theirs.read_text() == "{}"
 
 
-def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:
+def test_what_makes_no_sense(cli, dataset, tmp_path):
     for wrong, said in (
         ((tmp_path / "nowhere", tmp_path / "out"), "does not exist"),
         ((dataset.root, tmp_path / "out"), "all frames are annotated"),
@@ -252,9 +246,7 @@ def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_an_interrupted_run_says_what_is_there_and_goes_on(
-    cli, bare, monkeypatch, fits, tmp_path
-) -> None:
+def test_an_interrupted_run_says_what_is_there_and_goes_on(cli, bare, monkeypatch, fits, tmp_path):
     calls = []
 
     def stopped(picture, field, *, known):
@@ -298,7 +290,7 @@ def as_labelme(cli, dataset, folder: Path, label_of) -> None:
         file.write_text(json.dumps(content))
 
 
-def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path) -> None:
+def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path):
     names = [e.name.strip() for e in load_field(None).elements]
     as_labelme(cli, dataset, tmp_path / "set", lambda name: f"x{names.index(name)}")
     cameras, labels = dataset.cameras, tmp_path / "labels.toml"
@@ -314,7 +306,7 @@ def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path) -> 
     assert used.exit_code == 0, used.stderr
 
 
-def test_labels_that_are_called_alike_need_no_camera(cli, dataset, tmp_path) -> None:
+def test_labels_that_are_called_alike_need_no_camera(cli, dataset, tmp_path):
     def label(name: str) -> str:
         found = name.replace("Big rect.", "penalty area").replace("Middle line", "halfway-line")
         return found.replace("Side line", "touchline").replace("Circle", "circles").lower()
@@ -362,7 +354,7 @@ def tennis_frame(number: int) -> dict[str, object]:
     return {"shapes": shapes, "imageWidth": 960, "imageHeight": 540, "imagePath": f"{number}.jpg"}
 
 
-def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path) -> None:
+def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path):
     folder = tmp_path / "tennis"
     folder.mkdir()
     for number in range(4):
@@ -379,7 +371,7 @@ def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path) -> None:
     assert "4 cameras" in found.stdout
 
 
-def test_names_of_another_sport_are_told(cli, tmp_path) -> None:
+def test_names_of_another_sport_are_told(cli, tmp_path):
     (tmp_path / "0.json").write_text(json.dumps(tennis_frame(0)))
     done = cli("propose-map", tmp_path / "0.json", "-o", tmp_path / "labels.toml")
     assert "--field tennis" in done.stderr
@@ -389,7 +381,7 @@ def test_names_of_another_sport_are_told(cli, tmp_path) -> None:
     assert "exists already" in again.stderr
 
 
-def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_path) -> None:
+def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_path):
     content = {
         "images": [{"id": 1, "width": 640, "height": 360, "file_name": "a.jpg"}],
         "annotations": [
@@ -406,7 +398,7 @@ def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_pa
 
 @pytest.mark.skipif(not REAL.is_dir(), reason="the real files are not here")
 @pytest.mark.parametrize("name", ["test", "training"])
-def test_a_public_tennis_set(cli, tmp_path, name) -> None:
+def test_a_public_tennis_set(cli, tmp_path, name):
     labels = tmp_path / "labels.toml"
     source = REAL / f"tennis_cvat_{name}.xml"
     done = cli("propose-map", source, "--field", "tennis", "-o", labels)
@@ -417,7 +409,7 @@ def test_a_public_tennis_set(cli, tmp_path, name) -> None:
     assert '"service-centerline" = "Centre service line"' in text
 
 
-def test_a_field_without_straight_lines(cli, dataset, tmp_path, monkeypatch) -> None:
+def test_a_field_without_straight_lines(cli, dataset, tmp_path, monkeypatch):
     field = load_field(None)
     round_ones = tuple(e for e in field.elements if not isinstance(e.geometry, Line))
     as_labelme(cli, dataset, tmp_path / "set", str.lower)

@@ -1,7 +1,5 @@
 """Where system libraries of Qt are missing, the first line says which packages to install."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -53,7 +51,7 @@ def tools(monkeypatch: pytest.MonkeyPatch, *there: str) -> None:
         ("", "your package manager"),
     ],
 )
-def test_missing_libraries_are_named_with_the_command(lacking, monkeypatch, tool, said) -> None:
+def test_missing_libraries_are_named_with_the_command(lacking, monkeypatch, tool, said):
     tools(monkeypatch, tool)
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
     with pytest.raises(UsageError) as error:
@@ -64,14 +62,14 @@ def test_missing_libraries_are_named_with_the_command(lacking, monkeypatch, tool
     )
 
 
-def test_another_platform_that_loads_is_good_enough(lacking, monkeypatch) -> None:
+def test_another_platform_that_loads_is_good_enough(lacking, monkeypatch):
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb;offscreen")
     require_qt_libraries(lacking / "PySide6" / "Qt")
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
     require_qt_libraries(QT)  # nothing is missing where these tests run
 
 
-def test_an_import_that_fails_says_the_same(monkeypatch) -> None:
+def test_an_import_that_fails_says_the_same(monkeypatch):
     tools(monkeypatch, "apt-get")
     error = ImportError("libEGL.so.1: cannot open shared object file: No such file or directory")
     assert qt_missing_words(error).startswith(
@@ -82,9 +80,7 @@ def test_an_import_that_fails_says_the_same(monkeypatch) -> None:
     )
 
 
-def test_the_command_says_it_in_its_first_line_instead_of_ending_abruptly(
-    lacking, sample_data
-) -> None:
+def test_the_command_says_it_in_its_first_line_instead_of_ending_abruptly(lacking, sample_data):
     code = f"""
 import importlib.util, sys
 from importlib.machinery import ModuleSpec

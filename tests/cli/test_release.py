@@ -1,7 +1,5 @@
 """``procc-annotator release`` as the keeper of a dataset runs it."""
 
-from __future__ import annotations
-
 import csv
 import hashlib
 import json
@@ -44,7 +42,7 @@ def sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def test_annotations_and_hashes_without_pictures(cli, keep, tmp_path) -> None:
+def test_annotations_and_hashes_without_pictures(cli, keep, tmp_path):
     out = tmp_path / "release"
     said = made(cli, keep, out, "--version", "1.0", "--licence", "CC-BY-4.0", "--no-check")
     assert "all: 11 frames" in said
@@ -62,7 +60,7 @@ def test_annotations_and_hashes_without_pictures(cli, keep, tmp_path) -> None:
     assert not any(path.name.startswith(".procc") for path in out.rglob("*"))
 
 
-def test_the_card_has_the_header_that_hubs_read(cli, keep, tmp_path) -> None:
+def test_the_card_has_the_header_that_hubs_read(cli, keep, tmp_path):
     out = tmp_path / "release"
     made(
         cli, keep, out, "--name", "Cup: 'one'", "--licence", "CC-BY-4.0", "--creator", "A | B",
@@ -80,7 +78,7 @@ def test_the_card_has_the_header_that_hubs_read(cli, keep, tmp_path) -> None:
     assert "No quality checks were run" in card
 
 
-def test_croissant_names_every_column_by_what_is_there(cli, keep, tmp_path) -> None:
+def test_croissant_names_every_column_by_what_is_there(cli, keep, tmp_path):
     out = tmp_path / "release"
     made(cli, keep, out, "--pictures", "--version", "2.1", "--no-check", "--url", "https://x.org")
     found = json.loads((out / "croissant.json").read_text())
@@ -98,7 +96,7 @@ def test_croissant_names_every_column_by_what_is_there(cli, keep, tmp_path) -> N
     assert (out / "images" / "00002.jpg").read_bytes() == (keep / "00002.jpg").read_bytes()
 
 
-def test_names_as_nobody_expects_them(cli, keep, tmp_path) -> None:
+def test_names_as_nobody_expects_them(cli, keep, tmp_path):
     out = tmp_path / "release"
     (keep / "00002.jpg").rename(keep / "00002.JPG")
     terms = ("--name", "<b>Cup}</b>", "--creator", "A {B")
@@ -111,7 +109,7 @@ def test_names_as_nobody_expects_them(cli, keep, tmp_path) -> None:
     assert "\n# &lt;b>Cup}&lt;/b>\n" in (out / "README.md").read_text()
 
 
-def test_splits_findings_and_a_second_annotator(cli, keep, tmp_path) -> None:
+def test_splits_findings_and_a_second_annotator(cli, keep, tmp_path):
     splits = tmp_path / "splits.csv"
     splits.write_text("frame,split\n00001,train\n00002,train\n00003,test\n")
     second = tmp_path / "second"
@@ -134,7 +132,7 @@ def test_splits_findings_and_a_second_annotator(cli, keep, tmp_path) -> None:
     assert "Label check, still open:" in card
 
 
-def test_nothing_is_told_of_frames_that_are_in_no_split(cli, keep, tmp_path) -> None:
+def test_nothing_is_told_of_frames_that_are_in_no_split(cli, keep, tmp_path):
     splits, second = tmp_path / "splits.csv", tmp_path / "second"
     splits.write_text("frame,split\n00001,train\n")
     second.mkdir()
@@ -152,7 +150,7 @@ def test_nothing_is_told_of_frames_that_are_in_no_split(cli, keep, tmp_path) -> 
     assert list(json.loads((out / "provenance.json").read_text())["frames"]) == ["00001"]
 
 
-def test_what_was_taken_out_is_not_published_again(cli, keep, tmp_path) -> None:
+def test_what_was_taken_out_is_not_published_again(cli, keep, tmp_path):
     out = tmp_path / "release"
     made(cli, keep, out, "--pictures")
     (out / "notes.txt").write_text("ours")
@@ -174,7 +172,7 @@ def test_what_was_taken_out_is_not_published_again(cli, keep, tmp_path) -> None:
         ("train,00001\ntest,00001\n", "line 3: frame '00001' again"),
     ],
 )
-def test_a_table_of_splits_that_cannot_be_used(cli, keep, tmp_path, rows, says) -> None:
+def test_a_table_of_splits_that_cannot_be_used(cli, keep, tmp_path, rows, says):
     splits = tmp_path / "splits.csv"
     splits.write_text(f"split,frame\n{rows}")
     done = cli("release", keep, tmp_path / "out", "--splits", splits, "--no-check")
@@ -183,14 +181,14 @@ def test_a_table_of_splits_that_cannot_be_used(cli, keep, tmp_path, rows, says) 
 
 
 @pytest.mark.parametrize("option", [("--date", "yesterday"), ("--version", " ")])
-def test_terms_that_are_none(cli, keep, tmp_path, option) -> None:
+def test_terms_that_are_none(cli, keep, tmp_path, option):
     done = cli("release", keep, tmp_path / "out", *option, "--no-check")
     assert done.exit_code == 2
     assert option[0] in done.stderr
     assert not (tmp_path / "out").exists()
 
 
-def test_a_release_of_a_tree_goes_before_another(cli, keep, tmp_path) -> None:
+def test_a_release_of_a_tree_goes_before_another(cli, keep, tmp_path):
     tree, splits = tmp_path / "tree", tmp_path / "splits.csv"
     for game in ("g1", "g2"):
         (tree / game).mkdir(parents=True)
@@ -203,7 +201,7 @@ def test_a_release_of_a_tree_goes_before_another(cli, keep, tmp_path) -> None:
     assert "0 added, 0 removed, 0 changed" in said
 
 
-def test_what_is_known_of_points_goes_along(cli, keep, tmp_path) -> None:
+def test_what_is_known_of_points_goes_along(cli, keep, tmp_path):
     database = WorkspaceDatabase.open(keep, "Ann")
     database.set_setting("anything", "yes")
     assert database.close()
@@ -214,7 +212,7 @@ def test_what_is_known_of_points_goes_along(cli, keep, tmp_path) -> None:
     assert "points came to be: from a file 100 %" in (out / "README.md").read_text()
 
 
-def test_findings_that_were_ignored_are_not_open(cli, keep, tmp_path) -> None:
+def test_findings_that_were_ignored_are_not_open(cli, keep, tmp_path):
     for path in sorted(keep.glob("0*.json"))[4:]:
         path.unlink()
     content = json.loads((keep / "00002.json").read_text())
@@ -238,7 +236,7 @@ def test_findings_that_were_ignored_are_not_open(cli, keep, tmp_path) -> None:
     assert len(after) == len(before) - len(keys)
 
 
-def test_changes_against_the_release_before(cli, keep, tmp_path) -> None:
+def test_changes_against_the_release_before(cli, keep, tmp_path):
     first, then = tmp_path / "first", tmp_path / "then"
     made(cli, keep, first, "--version", "1.0", "--no-check")
     (keep / "00001.json").unlink()
@@ -261,7 +259,7 @@ def test_changes_against_the_release_before(cli, keep, tmp_path) -> None:
     assert "0 added, 0 removed, 0 changed" in same
 
 
-def test_another_picture_is_a_change(cli, keep, tmp_path) -> None:
+def test_another_picture_is_a_change(cli, keep, tmp_path):
     made(cli, keep, tmp_path / "first", "--version", "1.0", "--no-check")
     shutil.copy(keep / "00003.jpg", keep / "00002.jpg")
     before = ("--previous", tmp_path / "first")
@@ -271,13 +269,13 @@ def test_another_picture_is_a_change(cli, keep, tmp_path) -> None:
     assert "1 frame with another picture: 00002" in text
 
 
-def test_the_same_release_is_the_same_bytes(cli, keep, tmp_path) -> None:
+def test_the_same_release_is_the_same_bytes(cli, keep, tmp_path):
     for name in ("a.zip", "b.zip"):
         made(cli, keep, tmp_path / name, "--no-check")
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
 
 
-def test_where_it_may_not_be_written(cli, keep, tmp_path) -> None:
+def test_where_it_may_not_be_written(cli, keep, tmp_path):
     inside = cli("release", keep, keep / "release", "--no-check")
     assert inside.exit_code == 2
     assert "lies in what is read" in inside.output
@@ -289,7 +287,7 @@ def test_where_it_may_not_be_written(cli, keep, tmp_path) -> None:
     made(cli, keep, out, "--no-check", "--overwrite")
 
 
-def test_a_release_before_that_is_none(cli, keep, tmp_path) -> None:
+def test_a_release_before_that_is_none(cli, keep, tmp_path):
     before = tmp_path / "before"
     before.mkdir()
     (before / "release.json").write_text('{"format": "else"}')
@@ -300,7 +298,7 @@ def test_a_release_before_that_is_none(cli, keep, tmp_path) -> None:
 
 
 @pytest.mark.parametrize("flat", [True, False])
-def test_an_archive_of_a_release_is_read_as_what_it_was_made_of(cli, keep, tmp_path, flat) -> None:
+def test_an_archive_of_a_release_is_read_as_what_it_was_made_of(cli, keep, tmp_path, flat):
     place = keep if flat else tmp_path / "season"
     cameras = keep / "cameras/pinhole" if flat else tmp_path / "cameras"
     for match in () if flat else ("a", "b"):

@@ -1,7 +1,5 @@
 """``procc-annotator render`` and the headless job: pictures with the overlay of the window."""
 
-from __future__ import annotations
-
 import json
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -29,7 +27,7 @@ def pixels_of(path: Path, rgb: tuple[int, int, int]) -> int:
     return int((np.abs(picture[..., ::-1].astype(int) - rgb).max(axis=2) < 24).sum())
 
 
-def test_colours_say_which_camera_agrees(cli, dataset, tmp_path) -> None:
+def test_colours_say_which_camera_agrees(cli, dataset, tmp_path):
     bad = json.loads((dataset.cameras / "camera_3.json").read_text())
     dataset.write_camera("3", bad | {"pan_degrees": 1.0})
     out = tmp_path / "out"
@@ -43,7 +41,7 @@ def test_colours_say_which_camera_agrees(cli, dataset, tmp_path) -> None:
     assert pixels_of(out / "3.png", TOO_FAR) > 300
 
 
-def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path) -> None:
+def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path):
     out = tmp_path / "out"
     done = cli("render", dataset.root, out, "--format", "jpg")
     assert done.exit_code == 0, done.output
@@ -52,7 +50,7 @@ def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path) -> None
     assert (np.abs(drawn - grey).max(axis=2) > 40).sum() > 300
 
 
-def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path) -> None:
+def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path):
     (dataset.annotations / "1.json").unlink()
     (dataset.annotations / "2.json").unlink()
     next(dataset.cameras.glob("camera_2.*")).unlink()
@@ -70,7 +68,7 @@ def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path) -> None
     assert changed["2"] == 0
 
 
-def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path) -> None:
+def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path):
     out = tmp_path / "out"
     done = cli(
         "render", dataset.root, out, "--cameras", dataset.cameras,
@@ -84,13 +82,13 @@ def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path) -> None:
     assert any("JaC@5 1.000" in text and "soccernet, 960x540" in text for text in texts)
 
 
-def test_a_scale_that_is_none(cli, dataset, tmp_path) -> None:
+def test_a_scale_that_is_none(cli, dataset, tmp_path):
     done = cli("render", dataset.root, tmp_path / "out", "--scale", 0)
     assert done.exit_code == 2
     assert "scale" in done.stderr
 
 
-def test_a_damaged_picture_is_listed(cli, dataset, tmp_path) -> None:
+def test_a_damaged_picture_is_listed(cli, dataset, tmp_path):
     (dataset.root / "2.jpg").write_bytes(b"not a picture")
     done = cli("render", dataset.root, tmp_path / "out")
     assert done.exit_code == 1
@@ -98,12 +96,12 @@ def test_a_damaged_picture_is_listed(cli, dataset, tmp_path) -> None:
     assert "2.jpg" in done.stderr
 
 
-def test_pictures_of_the_dataset_are_never_replaced(cli, dataset) -> None:
+def test_pictures_of_the_dataset_are_never_replaced(cli, dataset):
     done = cli("render", dataset.root, dataset.root, "--format", "jpg")
     assert done.exit_code == 2
 
 
-def test_pictures_are_not_drawn_among_the_cameras(cli, dataset) -> None:
+def test_pictures_are_not_drawn_among_the_cameras(cli, dataset):
     for folder in (dataset.cameras, dataset.annotations):
         done = cli("render", dataset.root, folder, "--cameras", dataset.cameras)
         assert done.exit_code == 2
@@ -111,7 +109,7 @@ def test_pictures_are_not_drawn_among_the_cameras(cli, dataset) -> None:
         assert not list(folder.glob("*.png"))
 
 
-def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path) -> None:
+def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path):
     drawn = {}
     for more in ([], ["--painted-width"]):
         out = tmp_path / f"out{len(more)}"
@@ -121,7 +119,7 @@ def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path) -> None:
     assert drawn[1] > drawn[0] * 1.1
 
 
-def test_pictures_that_are_there_are_replaced_only_on_request(cli, dataset, tmp_path) -> None:
+def test_pictures_that_are_there_are_replaced_only_on_request(cli, dataset, tmp_path):
     kept = tmp_path / "out" / "3.png"
     kept.parent.mkdir()
     kept.write_text("somebody's")
@@ -134,7 +132,7 @@ def test_pictures_that_are_there_are_replaced_only_on_request(cli, dataset, tmp_
     assert kept.read_bytes().startswith(b"\x89PNG")
 
 
-def test_frames_nobody_annotated_have_no_score(dataset, tmp_path) -> None:
+def test_frames_nobody_annotated_have_no_score(dataset, tmp_path):
     (dataset.annotations / "1.json").unlink()
     (dataset.annotations / "2.json").write_text("{}")  # annotated: there is nothing to see
     field = load_field("soccer")

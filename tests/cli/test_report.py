@@ -1,7 +1,5 @@
 """``procc-annotator report``: one page, figures and tables, the same numbers as `evaluate`."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -162,7 +160,7 @@ def damaged(cli, qapp, new_dataset, tmp_path_factory) -> Written:
     return Written(run(cli, few, out, sources, "--random", 5), few, out)
 
 
-def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path) -> None:
+def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path):
     moving = {"name": "ball", "title": "The ball", "moving": True}
     ball = {"name": "ball", "position": [1, 2, -0.1], "instant": "t1"}
     flag = {"name": "flag", "title": "The flag", "position": [0, 0, -1.5]}
@@ -181,7 +179,7 @@ def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path) -> Non
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_of_many_sources_those_that_lead_are_drawn(cli, two_sources, tmp_path) -> None:
+def test_of_many_sources_those_that_lead_are_drawn(cli, two_sources, tmp_path):
     dataset, poor = two_sources
     sources = {"poor": poor, **{f"good{n}": dataset.cameras for n in range(12)}}
     out = tmp_path / "r.html"
@@ -195,7 +193,7 @@ def test_of_many_sources_those_that_lead_are_drawn(cli, two_sources, tmp_path) -
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_what_lowers_every_score_is_told(cli, few, tmp_path) -> None:
+def test_what_lowers_every_score_is_told(cli, few, tmp_path):
     for path in few.annotations.iterdir():
         entries = json.loads(path.read_text())
         if path.stem in ("3", "10"):
@@ -217,7 +215,7 @@ def test_what_lowers_every_score_is_told(cli, few, tmp_path) -> None:
         assert line in Page(out.read_text()).text
 
 
-def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path) -> None:
+def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path):
     dataset, poor = two_sources
     sources = {"good": dataset.cameras, "poor": poor}
     done = run(cli, dataset, tmp_path / "r.json", sources, "-o", tmp_path / "r.csv")
@@ -253,7 +251,7 @@ def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path) -> None:
     assert said["sources"][1]["summary"]["5"]["mean_jac"] < 1.0
 
 
-def test_the_page_shows_them_and_loads_nothing(compared) -> None:
+def test_the_page_shows_them_and_loads_nothing(compared):
     done, page, out = compared.done, compared.page, compared.out
     assert done.exit_code == 1, done.output
     assert "camera_11.json" in done.stderr
@@ -307,7 +305,7 @@ def check_self_contained(page: Page) -> None:
     assert len(ids) == len(set(ids))
 
 
-def test_the_same_input_gives_the_same_bytes(cli, compared, tmp_path) -> None:
+def test_the_same_input_gives_the_same_bytes(cli, compared, tmp_path):
     again = tmp_path / "again.html"
     report_two(cli, compared.dataset, again)
     assert again.read_bytes() == compared.out.read_bytes()
@@ -317,7 +315,7 @@ def test_the_same_input_gives_the_same_bytes(cli, compared, tmp_path) -> None:
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_annotations_alone_are_drawn_on_plain_ground(cli, few, tmp_path) -> None:
+def test_annotations_alone_are_drawn_on_plain_ground(cli, few, tmp_path):
     out = tmp_path / "r.html"
     archive = shutil.make_archive(str(tmp_path / "labels"), "zip", few.annotations)
     for given in (few.annotations, archive):
@@ -329,7 +327,7 @@ def test_annotations_alone_are_drawn_on_plain_ground(cli, few, tmp_path) -> None
     assert "Cameras of labels" in page.text
 
 
-def test_pictures_missing_for_some(damaged) -> None:
+def test_pictures_missing_for_some(damaged):
     assert damaged.done.exit_code == 1, damaged.done.output
     assert "2.jpg" in damaged.done.stderr
     page = damaged.page
@@ -342,7 +340,7 @@ def test_pictures_missing_for_some(damaged) -> None:
     assert set(kinds) == {"data:image/jpeg", "data:image/png"}
 
 
-def test_hostile_names_are_only_text(oddly_named) -> None:
+def test_hostile_names_are_only_text(oddly_named):
     assert oddly_named.done.exit_code == 0, oddly_named.done.output
     page = oddly_named.page
     check_self_contained(page)
@@ -358,7 +356,7 @@ def test_hostile_names_are_only_text(oddly_named) -> None:
     assert model == "pinhole P"
 
 
-def test_a_source_that_shares_projections_only(cli, few, tmp_path) -> None:
+def test_a_source_that_shares_projections_only(cli, few, tmp_path):
     """It is judged like any other; what needs the ground is told to be impossible."""
     if "polylines" not in CAMERA_FORMATS:
         pytest.skip("projected polylines cannot be read yet")
@@ -375,14 +373,14 @@ def test_a_source_that_shares_projections_only(cli, few, tmp_path) -> None:
     assert "good, lines" in page.text
 
 
-def test_names_in_any_script(oddly_named) -> None:
+def test_names_in_any_script(oddly_named):
     assert oddly_named.done.exit_code == 0, oddly_named.done.output
     in_charts = [data.strip() for owner, data in oddly_named.page.texts if owner == "text"]
     assert "相机" in in_charts
     assert "Камеры ñ" in in_charts
 
 
-def test_one_frame_only(cli, dataset, tmp_path) -> None:
+def test_one_frame_only(cli, dataset, tmp_path):
     for file in [*dataset.annotations.iterdir(), *dataset.cameras.iterdir()]:
         if file.stem.removeprefix("camera_") != "3":
             file.unlink()
@@ -394,7 +392,7 @@ def test_one_frame_only(cli, dataset, tmp_path) -> None:
     assert "textbf" not in (tmp_path / "r.tex").read_text()  # no best of one
 
 
-def test_a_source_without_any_camera_is_listed(cli, few, tmp_path) -> None:
+def test_a_source_without_any_camera_is_listed(cli, few, tmp_path):
     empty = tmp_path / "empty"
     empty.mkdir()
     out = tmp_path / "r.html"
@@ -410,7 +408,7 @@ def test_a_source_without_any_camera_is_listed(cli, few, tmp_path) -> None:
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_a_damaged_camera_is_told_once(cli, few, tmp_path) -> None:
+def test_a_damaged_camera_is_told_once(cli, few, tmp_path):
     file = next(iter(sorted(few.cameras.glob("camera_*.json"))))
     file.write_text("{")
     done = run(cli, few, tmp_path / "r.html", {"damaged": few.cameras})
@@ -419,7 +417,7 @@ def test_a_damaged_camera_is_told_once(cli, few, tmp_path) -> None:
 
 
 @pytest.mark.parametrize("focal", [1e308, pytest.param(1e200, marks=pytest.mark.soak)])
-def test_an_absurd_camera_does_not_stop_the_report(cli, few, tmp_path, focal) -> None:
+def test_an_absurd_camera_does_not_stop_the_report(cli, few, tmp_path, focal):
     file = next(iter(sorted(few.cameras.glob("camera_*.json"))))
     file.write_text(json.dumps(json.loads(file.read_text()) | {"x_focal_length": focal}))
     out = tmp_path / "r.html"
@@ -428,7 +426,7 @@ def test_an_absurd_camera_does_not_stop_the_report(cli, few, tmp_path, focal) ->
     assert "values over a million are left out" in Page(out.read_text(encoding="utf-8")).text
 
 
-def test_an_empty_frame_and_a_damaged_annotation(damaged) -> None:
+def test_an_empty_frame_and_a_damaged_annotation(damaged):
     assert damaged.done.exit_code == 1, damaged.done.output
     assert damaged.done.stderr.count("11.json") == 1  # said once, not for every source
     assert "4 annotated frames" in damaged.page.text
@@ -449,14 +447,14 @@ def test_an_empty_frame_and_a_damaged_annotation(damaged) -> None:
 )
 def test_wrong_requests_are_told_before_the_work(
     cli, dataset, tmp_path, monkeypatch, arguments, said
-) -> None:
+):
     monkeypatch.chdir(tmp_path)
     done = cli("report", dataset.root, "--cameras", f"good={dataset.cameras}", *arguments)
     assert done.exit_code == 2
     assert said in done.stderr
 
 
-def test_an_interruption_leaves_no_half_file(cli, dataset, tmp_path, monkeypatch) -> None:
+def test_an_interruption_leaves_no_half_file(cli, dataset, tmp_path, monkeypatch):
     out = tmp_path / "out"
     out.mkdir()
     (out / "r.html").write_text("what was there")
@@ -472,7 +470,7 @@ def test_an_interruption_leaves_no_half_file(cli, dataset, tmp_path, monkeypatch
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_the_usual_page_replaces_reports_alone(cli, few, tmp_path, monkeypatch) -> None:
+def test_the_usual_page_replaces_reports_alone(cli, few, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     asked = ("report", few.annotations, "--cameras", few.cameras, "--worst", 0, "--random", 0)
     page = tmp_path / "report.html"

@@ -1,7 +1,5 @@
 """``open --selftest``: the installed program tries its window, and says what does not work."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -17,7 +15,7 @@ def run(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     )  # fmt: skip
 
 
-def test_the_window_annotates_a_copy_and_leaves_everything_as_it_was(sample_copy, tmp_path) -> None:
+def test_the_window_annotates_a_copy_and_leaves_everything_as_it_was(sample_copy, tmp_path):
     home = tmp_path / "home"
     home.mkdir()
     before = {p: p.read_bytes() for p in sample_copy.rglob("*") if p.is_file()}
@@ -29,7 +27,7 @@ def test_the_window_annotates_a_copy_and_leaves_everything_as_it_was(sample_copy
     assert not [p for p in home.rglob("*.ini") if p.is_file()]
 
 
-def test_pictures_in_folders_of_folders_will_do(sample_copy, tmp_path) -> None:
+def test_pictures_in_folders_of_folders_will_do(sample_copy, tmp_path):
     game = tmp_path / "tree" / "season" / "game"
     for folder in (game, game.with_name("another")):
         folder.mkdir(parents=True)
@@ -39,7 +37,7 @@ def test_pictures_in_folders_of_folders_will_do(sample_copy, tmp_path) -> None:
     assert "annotated in a copy of 7.jpg, saved and read back" in done.stdout
 
 
-def test_without_the_sample_a_picture_is_drawn(tmp_path: Path) -> None:
+def test_without_the_sample_a_picture_is_drawn(tmp_path):
     code = """
 from procc_annotator.gui import selftest
 
@@ -50,13 +48,13 @@ print(selftest.run_selftest())
     assert "a copy of drawn.png" in done.stdout, done.stderr
 
 
-def test_a_folder_without_pictures_is_one_line(cli, tmp_path) -> None:
+def test_a_folder_without_pictures_is_one_line(cli, tmp_path):
     done = run(tmp_path, "-m", "procc_annotator", "open", str(tmp_path), "--selftest")
     assert done.returncode == 2
     assert "nothing to do: no picture in" in done.stderr
 
 
-def test_without_a_terminal_an_error_is_shown_in_a_dialog(tmp_path) -> None:
+def test_without_a_terminal_an_error_is_shown_in_a_dialog(tmp_path):
     code = """
 import sys
 from PySide6.QtWidgets import QMessageBox
@@ -76,7 +74,7 @@ except SystemExit as ended:
     assert done.stderr == ""
 
 
-def test_a_datasets_field_file_opens_the_dataset(sample_data, tmp_path) -> None:
+def test_a_datasets_field_file_opens_the_dataset(sample_data, tmp_path):
     """As a file manager hands it over."""
     own = sample_data / "basketball" / "field.toml"
     done = run(tmp_path, "-m", "procc_annotator", "open", str(own), "--selftest")

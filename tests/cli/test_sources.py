@@ -1,7 +1,5 @@
 """Sources of cameras as they are named on a command line."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -31,7 +29,7 @@ from tests.cli.conftest import camera_file
         ("pnl/{set}", ("pnl", "auto", "pnl/{set}")),
     ],
 )
-def test_forms(text, expected) -> None:
+def test_forms(text, expected):
     spec = parse_source(text)
     if expected is None:  # a Windows path: all of it is the path, whatever holds the name
         assert str(spec.path) == text
@@ -41,12 +39,12 @@ def test_forms(text, expected) -> None:
 
 
 @pytest.mark.parametrize("text", ["", "  ", "=x", "a=", "a:=x", ":carwc=x", " =x", "a\x1bb=x"])
-def test_what_is_no_source(text) -> None:
+def test_what_is_no_source(text):
     with pytest.raises(UsageError):
         parse_source(text)
 
 
-def test_a_folder_is_called_like_itself_wherever_one_stands(tmp_path, monkeypatch) -> None:
+def test_a_folder_is_called_like_itself_wherever_one_stands(tmp_path, monkeypatch):
     folder = tmp_path / "v1.2"
     folder.mkdir()
     monkeypatch.chdir(folder)
@@ -54,29 +52,29 @@ def test_a_folder_is_called_like_itself_wherever_one_stands(tmp_path, monkeypatc
     assert parse_source(str(folder)).name == "v1.2"
 
 
-def test_an_existing_path_with_an_equals_sign_is_a_path(tmp_path, monkeypatch) -> None:
+def test_an_existing_path_with_an_equals_sign_is_a_path(tmp_path, monkeypatch):
     (tmp_path / "lr=3").mkdir()
     monkeypatch.chdir(tmp_path)
     assert parse_source("lr=3") == SourceSpec("lr=3", "auto", Path("lr=3"))
 
 
-def test_the_default_format_is_for_sources_without_their_own() -> None:
+def test_the_default_format_is_for_sources_without_their_own():
     a, b = parse_sources(["a=x", "b:wc14=y"], "carwc")
     assert (a.format, b.format) == ("carwc", "wc14")
 
 
-def test_two_of_one_name_are_refused() -> None:
+def test_two_of_one_name_are_refused():
     with pytest.raises(UsageError, match=r"'cameras'.*NAME=PATH"):
         parse_sources(["one/cameras", "two/cameras"])
 
 
-def test_a_pattern_takes_the_name_of_the_set() -> None:
+def test_a_pattern_takes_the_name_of_the_set():
     spec = parse_source("pnl:wc14=data/{set}/pnl/{set}.zip").for_set("ts")
     assert spec == SourceSpec("pnl", "wc14", Path("data/ts/pnl/ts.zip"))
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tmp_path) -> None:
+def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tmp_path):
     records = [
         {"image_ids": f"{name}.jpg", **camera_file(pan)} for name, pan in dataset.pans.items()
     ]
@@ -97,7 +95,7 @@ def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tm
         assert f"line {len(records)}" in done.stderr, command
 
 
-def test_one_file_of_cameras_that_cannot_be_read_says_why(cli, dataset, tmp_path) -> None:
+def test_one_file_of_cameras_that_cannot_be_read_says_why(cli, dataset, tmp_path):
     cameras = tmp_path / "cameras.mat"
     cameras.write_bytes(b"MATLAB 5.0 MAT-file" + bytes(200))
     done = cli("evaluate", dataset.annotations, cameras)
@@ -109,19 +107,19 @@ def test_one_file_of_cameras_that_cannot_be_read_says_why(cli, dataset, tmp_path
 # What is said of many files with one problem, and of cameras of another sport.
 
 
-def test_the_same_problem_of_many_files_is_one_line() -> None:
+def test_the_same_problem_of_many_files_is_one_line():
     same = [f"/a/{i}.npy: expected 3 x 3 numbers (write it again)" for i in range(186)]
     other = ["/a/x.npy: is empty"]
     lines = ["/a/0.npy and 185 more: expected 3 x 3 numbers (write it again)", *other]
     assert condense_problems([*same, *other]) == lines
 
 
-def test_the_same_problem_of_many_places_is_one_line() -> None:
+def test_the_same_problem_of_many_places_is_one_line():
     same = [f"/a.mat: annotation({i}): is of another sport" for i in range(1, 9)]
     assert condense_problems(same) == ["/a.mat: annotation(1) and 7 more: is of another sport"]
 
 
-def test_frames_of_a_video_with_the_same_problem_are_counted_and_named_in_one_line() -> None:
+def test_frames_of_a_video_with_the_same_problem_are_counted_and_named_in_one_line():
     some = [f"/a.mp4: frame {n}: damaged" for n in (20, 21, 22, 40)]
     other = ["/a.mp4: frame 7: its size changes", "/b.mp4: frame 1: damaged"]
     assert condense_problems([*some, *other]) == [
@@ -130,16 +128,14 @@ def test_frames_of_a_video_with_the_same_problem_are_counted_and_named_in_one_li
     ]
 
 
-def test_different_problems_and_few_of_them_stay_as_they_are() -> None:
+def test_different_problems_and_few_of_them_stay_as_they_are():
     few = [f"/a/{i}.npy: is empty" for i in range(5)]
     different = [f"/a.json: holds {i} numbers (expected: 9)" for i in range(9)]
     assert condense_problems([*few, *different]) == [*few, *different]
 
 
 @pytest.mark.parametrize("command", ["export", "render", "compare", "report", "evaluate"])
-def test_a_bare_homography_is_not_taken_for_one_of_another_sport(
-    cli, dataset, tmp_path, command
-) -> None:
+def test_a_bare_homography_is_not_taken_for_one_of_another_sport(cli, dataset, tmp_path, command):
     bare = tmp_path / "bare"
     bare.mkdir()
     for frame in ("1", "2", "3", "10", "11"):
@@ -159,7 +155,7 @@ def test_a_bare_homography_is_not_taken_for_one_of_another_sport(
     assert "choose its camera format" in done.stderr
 
 
-def test_a_damaged_file_of_many_cameras_is_told_by_itself(cli, dataset, tmp_path) -> None:
+def test_a_damaged_file_of_many_cameras_is_told_by_itself(cli, dataset, tmp_path):
     for name, content in (
         ("cut.mat", b"MATLAB 5.0 MAT-file" + bytes(99)),
         ("cut.json", b'{"1": {'),

@@ -1,7 +1,5 @@
 """A set of several stadiums goes by the dimensions of each: `field-size --groups --save`."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -89,7 +87,7 @@ def jac(cli, root: Path, out: Path, *more: object) -> float:
     return found
 
 
-def test_each_frame_is_judged_by_its_own_stadium(cli, known, tmp_path) -> None:
+def test_each_frame_is_judged_by_its_own_stadium(cli, known, tmp_path):
     rows = list(csv.DictReader(io.StringIO((known / "stadiums.csv").read_text())))
     assert len(rows) == 10
     for row in rows:
@@ -102,7 +100,7 @@ def test_each_frame_is_judged_by_its_own_stadium(cli, known, tmp_path) -> None:
     assert jac(cli, known, out, "--field", "soccer") < 0.9
 
 
-def test_every_command_goes_by_them(cli, known, tmp_path) -> None:
+def test_every_command_goes_by_them(cli, known, tmp_path):
     fits = tmp_path / "fits"
     done = cli("calibrate", known, fits, "-t", 1)
     assert "dimensions of 2 stadiums" in plain(done.stdout)
@@ -124,7 +122,7 @@ def test_every_command_goes_by_them(cli, known, tmp_path) -> None:
     assert rules <= {"few points"}  # nothing is off its place
 
 
-def test_a_manifest_holds_them(cli, known, tmp_path) -> None:
+def test_a_manifest_holds_them(cli, known, tmp_path):
     manifest = tmp_path / "manifest.json"
     jac(cli, known, tmp_path / "s.json", "--manifest", manifest)
     assert "the same" in cli("repeat", manifest, "--data", known).stdout
@@ -141,7 +139,7 @@ def test_a_manifest_holds_them(cli, known, tmp_path) -> None:
     assert "other metric" in done.stdout
 
 
-def test_what_was_kept_of_others_stays(cli, known, tmp_path) -> None:
+def test_what_was_kept_of_others_stays(cli, known, tmp_path):
     before = (known / "stadiums.csv").read_text().splitlines()
     (tmp_path / "one.csv").write_text(
         "frame,match\n" + "\n".join(f"old_{name},old" for name in PANS)
@@ -155,7 +153,7 @@ def test_what_was_kept_of_others_stays(cli, known, tmp_path) -> None:
     assert all(line.split(",")[2] for line in after)  # the length found before
 
 
-def test_the_stadiums_that_are_known_need_no_groups(cli, known, tmp_path) -> None:
+def test_the_stadiums_that_are_known_need_no_groups(cli, known, tmp_path):
     """What is not asked for stays as it is in each stadium, before and after."""
     path = known / "stadiums.csv"
     before = path.read_text()
@@ -181,7 +179,7 @@ def test_the_stadiums_that_are_known_need_no_groups(cli, known, tmp_path) -> Non
 )
 def test_a_damaged_file_is_told_and_nothing_is_lost(
     cli, known, tmp_path, monkeypatch, change, said
-) -> None:
+):
     path = known / "stadiums.csv"
     text = path.read_text().replace(",old,99", ",old,100").replace(*change)
     path.write_text(text)
@@ -197,7 +195,7 @@ def test_a_damaged_file_is_told_and_nothing_is_lost(
     assert path.read_text() == text
 
 
-def test_a_stadium_of_one_frame_is_not_kept(cli, two, tmp_path) -> None:
+def test_a_stadium_of_one_frame_is_not_kept(cli, two, tmp_path):
     (tmp_path / "one.csv").write_text("frame,match\nold_3,lonely\n")
     done = cli("field-size", two, "--groups", tmp_path / "one.csv", "--save")
     assert done.exit_code == 2
@@ -205,7 +203,7 @@ def test_a_stadium_of_one_frame_is_not_kept(cli, two, tmp_path) -> None:
     assert not (two / "stadiums.csv").exists()
 
 
-def test_a_release_carries_them(cli, known, tmp_path) -> None:
+def test_a_release_carries_them(cli, known, tmp_path):
     out = tmp_path / "published"
     done = cli("release", known, out, "--version", "1.0", "--by", "Ann Other", "--no-check")
     assert done.exit_code == 0, done.output

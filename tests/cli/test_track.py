@@ -1,7 +1,5 @@
 """``procc-annotator track``: the cameras of a drawn shot whose cameras are known."""
 
-from __future__ import annotations
-
 import csv
 import json
 import math
@@ -104,7 +102,7 @@ def camera_in(out: Path, number: int) -> PinholeCamera:
     return camera
 
 
-def test_every_frame_of_both_shots(shot, whole) -> None:
+def test_every_frame_of_both_shots(shot, whole):
     rows = table(whole)
     assert [row["frame"] for row in rows] == [name_of(n) for n in range(FRAMES)]
     assert [row["shot"] for row in rows] == [name_of(0)] * CUT + [name_of(CUT)] * (FRAMES - CUT)
@@ -122,16 +120,14 @@ def test_every_frame_of_both_shots(shot, whole) -> None:
         assert camera_in(whole, number).position_world == shot.cameras[number].position_world
 
 
-def test_the_same_in_two_processes_and_from_pictures(
-    cli, pictures, cameras, whole, tmp_path
-) -> None:
+def test_the_same_in_two_processes_and_from_pictures(cli, pictures, cameras, whole, tmp_path):
     out = tmp_path / "out"
     done = cli("track", pictures, out, "--cameras", cameras, "--workers", 2)
     assert done.exit_code == 0, done.output
     assert files(out) == files(whole)
 
 
-def test_annotated_frames_are_anchors(cli, shot, video, tmp_path) -> None:
+def test_annotated_frames_are_anchors(cli, shot, video, tmp_path):
     true = write_cameras(shot, tmp_path / "true")
     marked = tmp_path / "marked"
     assert cli("annotate", video, marked, "--cameras", true).exit_code == 0
@@ -152,7 +148,7 @@ def test_annotated_frames_are_anchors(cli, shot, video, tmp_path) -> None:
     assert len(images) == 3
 
 
-def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
+def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path):
     out = tmp_path / "out"
     done = cli("track", video, out, "--cameras", cameras, "--from", name_of(14))
     assert done.exit_code == 0, done.output
@@ -167,7 +163,7 @@ def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> 
     return prepared
 
 
-def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path) -> None:
+def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path):
     given = []
 
     def followed(frame, numbers, field, *, anchors, known, on_frame) -> Track:
@@ -183,7 +179,7 @@ def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_p
 
 def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
     cli, shot, video, monkeypatch, tmp_path
-) -> None:
+):
     real, looks = command.follow_shot, []
 
     def followed(frame, numbers, field, *, anchors, known, on_frame) -> Track:
@@ -207,7 +203,7 @@ def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
     assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(FRAMES)]
 
 
-def test_anchors_that_are_given_later_are_used(cli, video, cameras, followed) -> None:
+def test_anchors_that_are_given_later_are_used(cli, video, cameras, followed):
     """Somebody helps where a shot was lost, and starts the command again."""
     helped = re.compile(f"^{name_of(ANCHORS[1])},.*$", re.M)
     text = (followed / "track.csv").read_text()
@@ -217,7 +213,7 @@ def test_anchors_that_are_given_later_are_used(cli, video, cameras, followed) ->
     assert (followed / "track.csv").read_text() == text
 
 
-def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, followed) -> None:
+def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, followed):
     before = table(followed)
     done = cli("track", video, followed, "--cameras", cameras, "--from", "14", "--overwrite")
     assert done.exit_code == 0, done.output
@@ -226,7 +222,7 @@ def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, fo
 
 def test_a_shot_that_is_replaced_does_not_count_as_done_meanwhile(
     cli, video, cameras, monkeypatch, followed
-) -> None:
+):
     def stopped(*_, **__) -> Track:
         raise KeyboardInterrupt
 
@@ -236,7 +232,7 @@ def test_a_shot_that_is_replaced_does_not_count_as_done_meanwhile(
     assert [row["frame"] for row in table(followed)] == [name_of(n) for n in range(CUT)]
 
 
-def test_the_track_of_something_else_is_not_replaced(cli, video, followed, tmp_path) -> None:
+def test_the_track_of_something_else_is_not_replaced(cli, video, followed, tmp_path):
     before = files(followed)
     other = shutil.copyfile(video, tmp_path / "other.mp4")
     done = cli("track", other, followed)
@@ -259,7 +255,7 @@ def nothing_found(frame, numbers, field, *, anchors, known, on_frame) -> Track:
     return Track(tuple(found), ((numbers[0], numbers[-1]),))
 
 
-def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path) -> None:
+def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path):
     follow_by(monkeypatch, nothing_found)
     out = tmp_path / "out"
     out.mkdir()
@@ -273,9 +269,7 @@ def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path
     assert {row["camera"] for row in table(out)} == {""}
 
 
-def test_the_end_of_a_video_that_is_missing_is_a_problem(
-    cli, pictures, monkeypatch, tmp_path
-) -> None:
+def test_the_end_of_a_video_that_is_missing_is_a_problem(cli, pictures, monkeypatch, tmp_path):
     follow_by(monkeypatch, nothing_found)
     nowhere = Proposal("none", "", FitResult("P", SIZE, None, "nothing"), 0, 0, None, 0, None)
     monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", lambda *_, **__: nowhere)
@@ -288,7 +282,7 @@ def test_the_end_of_a_video_that_is_missing_is_a_problem(
         assert f"unreadable: {cut}: the file is cut off or damaged: it ends after" in done.stderr
 
 
-def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_path) -> None:
+def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_path):
     follow_by(monkeypatch, nothing_found)
     match = tmp_path / "match"
     shutil.copytree(pictures, match)
@@ -308,7 +302,7 @@ def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_pa
     assert again.stderr == done.stderr
 
 
-def test_a_run_that_was_stopped_goes_on(cli, video, cameras, whole, monkeypatch, tmp_path) -> None:
+def test_a_run_that_was_stopped_goes_on(cli, video, cameras, whole, monkeypatch, tmp_path):
     out = tmp_path / "out"
     arguments = ("--cameras", cameras)
     real = command.follow_shot
@@ -332,7 +326,7 @@ def test_a_run_that_was_stopped_goes_on(cli, video, cameras, whole, monkeypatch,
     assert files(out) == files(whole)
 
 
-def test_what_makes_no_sense(cli, video, cameras, tmp_path) -> None:
+def test_what_makes_no_sense(cli, video, cameras, tmp_path):
     out = tmp_path / "out"
     (tmp_path / "broken.mp4").write_bytes(video.read_bytes()[:2000])
     (tmp_path / "other.mp4").write_text("no video")
@@ -354,7 +348,7 @@ def test_what_makes_no_sense(cli, video, cameras, tmp_path) -> None:
 
 def test_pictures_that_have_nothing_to_do_with_each_other_have_their_own_anchors(
     cli, sample_data, tmp_path
-) -> None:
+):
     """What cannot be followed from one anchor to the next is followed from each of them."""
     match = tmp_path / "match"
     match.mkdir()

@@ -1,7 +1,5 @@
 """``triangulate``: from clicks in wide views to a close-up that is calibrated from landmarks."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import re
@@ -52,9 +50,7 @@ def edit(match: Path, frame: str, **changes: object) -> None:
     path.write_text(json.dumps({k: v for k, v in content.items() if v is not None}))
 
 
-def test_landmarks_calibrate_a_close_up_that_sees_too_little_of_the_field(
-    cli, match, three_views
-) -> None:
+def test_landmarks_calibrate_a_close_up_that_sees_too_little_of_the_field(cli, match, three_views):
     alone = cli("calibrate", match, "alone", "--protocol", "procc")
     assert "17_close" in alone.stdout
     assert not Path("alone/camera_17_close.json").exists()
@@ -78,7 +74,7 @@ def test_landmarks_calibrate_a_close_up_that_sees_too_little_of_the_field(
     assert np.abs(off_px[:, 0]).max() < 14  # along it: half a metre
 
 
-def test_scores_and_checks_use_the_landmarks(cli, match) -> None:
+def test_scores_and_checks_use_the_landmarks(cli, match):
     cli("triangulate", match, "--cameras", match / "cameras")
     scored = cli("evaluate", match / "annotations", match / "cameras", "--protocol", "procc")
     assert "6 landmarks" in scored.stdout
@@ -94,7 +90,7 @@ def test_scores_and_checks_use_the_landmarks(cli, match) -> None:
 
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
-def test_landmarks_that_are_only_named_change_no_figure(cli, match, three_views, protocol) -> None:
+def test_landmarks_that_are_only_named_change_no_figure(cli, match, three_views, protocol):
     def figures(name: str) -> object:
         done = cli("evaluate", match / "annotations", match / "cameras", "--protocol", protocol,
                    "-o", name)  # fmt: skip
@@ -122,7 +118,7 @@ def test_landmarks_that_are_only_named_change_no_figure(cli, match, three_views,
     assert not {"Clock", "Mast"} & written.keys()
 
 
-def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match) -> None:
+def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match):
     path = match / "landmarks.json"
     path.write_text(json.dumps({
         "surveyor": "M.",
@@ -149,7 +145,7 @@ def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match
     assert json.loads(path.read_text())["landmarks"][0]["serial"] == 7
 
 
-def test_a_surveyed_landmark_cannot_be_made_a_moving_one(cli, match) -> None:
+def test_a_surveyed_landmark_cannot_be_made_a_moving_one(cli, match):
     path = match / "landmarks.json"
     entry = {"name": "Clock", "position": [12.0, -52.0, -11.0]}
     path.write_text(json.dumps({"landmarks": [entry]}))
@@ -162,7 +158,7 @@ def test_a_surveyed_landmark_cannot_be_made_a_moving_one(cli, match) -> None:
     assert clocks == [entry]
 
 
-def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) -> None:
+def test_a_moving_object_has_a_position_each_instant(cli, match, three_views):
     for inner in ("annotations", "cameras"):
         for file in list((match / inner).iterdir()):
             (match / inner / file.name.replace("17_", "18_")).write_bytes(file.read_bytes())
@@ -205,7 +201,7 @@ def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) ->
     assert len(re.findall(r"│ Ball +│ 1[78]", again.stdout)) == 2
 
 
-def test_a_static_landmark_can_be_made_a_moving_one(cli, match) -> None:
+def test_a_static_landmark_can_be_made_a_moving_one(cli, match):
     cli("triangulate", match, "--cameras", match / "cameras", "--pattern", "{instant}_{view}")
     done = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Mast")
     assert done.exit_code == 0, done.stderr
@@ -213,7 +209,7 @@ def test_a_static_landmark_can_be_made_a_moving_one(cli, match) -> None:
     assert [(m.instant, m.position is None) for m in masts] == [(None, True), ("17", False)]
 
 
-def test_reasons_are_told_where_there_is_no_position(cli, match) -> None:
+def test_reasons_are_told_where_there_is_no_position(cli, match):
     one = {"Clock": None, "Seat A": None, "Seat B": [{"x": 0.2, "y": 0.2}]}
     edit(match, "17_left", **one)
     edit(match, "17_close", **one)
@@ -227,7 +223,7 @@ def test_reasons_are_told_where_there_is_no_position(cli, match) -> None:
     assert set(positions(match / "landmarks.json")) == {"Board", "Mast", "Tunnel"}
 
 
-def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
+def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path):
     done = cli("triangulate", match, "-o", "found.json", "--pattern", "{instant}_{view}")
     assert done.exit_code == 0, done.stderr
     assert len(positions(Path("found.json"))) == 6
@@ -256,7 +252,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
         (["--surveyed", "Clock=1,2,3", "--moving", "Clock"], "says where it stays"),
     ],
 )
-def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
+def test_what_makes_no_sense_is_refused(cli, match, arguments, words):
     done = cli("triangulate", match, *arguments)
     assert done.exit_code == 2
     assert words in " ".join(done.stderr.split())
@@ -270,7 +266,7 @@ def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
         [{"name": "Ball", "moving": True, "position": [1, 2, -1], "instant": "17"}],
     ],
 )
-def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
+def test_what_moves_has_no_lasting_place(cli, match, entries):
     path = match / "landmarks.json"
     path.write_text(json.dumps({"landmarks": entries}))
     before = path.read_bytes()
@@ -280,7 +276,7 @@ def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
     assert path.read_bytes() == before
 
 
-def test_a_surveyed_place_is_compared_to_its_clicks(cli, match) -> None:
+def test_a_surveyed_place_is_compared_to_its_clicks(cli, match):
     def surveyed(place: str) -> tuple[float, str, str]:
         done = cli("triangulate", match, "--cameras", match / "cameras",
                    "--surveyed", f"Clock={place}", "--moving", "Mas")  # fmt: skip
@@ -301,7 +297,7 @@ def test_a_surveyed_place_is_compared_to_its_clicks(cli, match) -> None:
     assert positions(match / "landmarks.json")["Clock"].tolist() == [12.0, -52.0, -12.0]
 
 
-def test_classes_of_another_field_do_not_become_landmarks(cli, tmp_path) -> None:
+def test_classes_of_another_field_do_not_become_landmarks(cli, tmp_path):
     match = tmp_path / "match"
     shutil.copytree(ROOT / "sample_data/basketball", match)
     done = cli("triangulate", match, "--field", "soccer", "--cameras", match / "cameras")
@@ -313,7 +309,7 @@ def test_classes_of_another_field_do_not_become_landmarks(cli, tmp_path) -> None
     assert not (match / "landmarks.json").exists()
 
 
-def test_an_entry_that_locks_the_field_is_named(cli, match) -> None:
+def test_an_entry_that_locks_the_field_is_named(cli, match):
     entries = [{"name": "Clock"}, {"name": "Middle line", "position": [1, 2, 3]}]
     (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
     done = cli("evaluate", match, match / "cameras")
@@ -323,14 +319,14 @@ def test_an_entry_that_locks_the_field_is_named(cli, match) -> None:
     assert "delete the entry" in said
 
 
-def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> None:
+def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path):
     done = cli("triangulate", tmp_path, "--surveyed", "Flag A=52,-34,0")
     assert done.exit_code == 0, done.stderr
     assert positions(tmp_path / "landmarks.json")["Flag A"].tolist() == [52.0, -34.0, 0.0]
     assert "--surveyed Flag A: it is clicked in no frame" in done.stderr
 
 
-def test_a_set_without_landmarks_has_nothing_to_do(cli, dataset) -> None:
+def test_a_set_without_landmarks_has_nothing_to_do(cli, dataset):
     done = cli("triangulate", dataset.root)
     assert done.exit_code == 2
     assert "no landmark is clicked" in done.stderr
@@ -344,7 +340,7 @@ def _numbers_apart(text: str) -> tuple[list[str], list[float]]:
 
 def test_the_example_of_the_documentation_prints_what_it_says(
     cli, tmp_path, monkeypatch, three_views
-) -> None:
+):
     monkeypatch.chdir(tmp_path)
     text = (ROOT / "docs/landmarks.md").read_text()
     block = re.search(r"```console\n(.*?)```", text, re.DOTALL)
@@ -368,7 +364,7 @@ def test_the_example_of_the_documentation_prints_what_it_says(
             ), (line, done.stdout)
 
 
-def test_cameras_of_other_frames_leave_everything_as_it_is(cli, match) -> None:
+def test_cameras_of_other_frames_leave_everything_as_it_is(cli, match):
     cli("triangulate", match)
     written = (match / "landmarks.json").read_bytes()
     cli("calibrate", match, "fitted")

@@ -1,7 +1,5 @@
 """Every command where Qt cannot be loaded: pictures are drawn plainer, figures need none of it."""
 
-from __future__ import annotations
-
 import json
 import os
 import runpy
@@ -33,7 +31,7 @@ def without_qt(*arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
-def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path) -> None:
+def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path):
     out = tmp_path / "svg"
     done = without_qt("render", dataset.root, out, "--cameras", dataset.cameras, "--format", "svg")
     assert done.returncode == 0, done.stderr
@@ -42,7 +40,7 @@ def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path) -> None:
     assert "<svg" in (out / "1.svg").read_text()
 
 
-def test_a_report_has_its_pictures(dataset, tmp_path) -> None:
+def test_a_report_has_its_pictures(dataset, tmp_path):
     page = tmp_path / "r.html"
     done = without_qt(
         "report", dataset.root, "--cameras", dataset.cameras, "--worst", 1, "--random", 0,
@@ -53,7 +51,7 @@ def test_a_report_has_its_pictures(dataset, tmp_path) -> None:
     assert "disagreement" not in done.stderr  # nobody asked for it
 
 
-def test_figures_do_not_even_ask_for_qt(dataset, tmp_path) -> None:
+def test_figures_do_not_even_ask_for_qt(dataset, tmp_path):
     names = ("r.json", "r.csv", "r.tex")
     outputs = [word for name in names for word in ("--output", tmp_path / name)]
     done = without_qt("report", dataset.root, "--cameras", dataset.cameras, *outputs)
@@ -61,7 +59,7 @@ def test_figures_do_not_even_ask_for_qt(dataset, tmp_path) -> None:
     assert all((tmp_path / name).stat().st_size for name in names)
 
 
-def test_the_window_says_what_is_missing_in_a_line(dataset) -> None:
+def test_the_window_says_what_is_missing_in_a_line(dataset):
     done = without_qt("open", dataset.root)
     assert done.returncode == 2
     assert "Traceback" not in done.stderr
@@ -83,7 +81,7 @@ print(json.dumps(ended), file=sys.stderr)
 """
 
 
-def test_every_command_does_its_work(dataset, sample_data, tmp_path) -> None:
+def test_every_command_does_its_work(dataset, sample_data, tmp_path):
     """All of them one after the other in one program: what they need of Qt is nothing."""
     root, cameras = dataset.root, dataset.cameras
     one = tmp_path / "one"

@@ -1,13 +1,13 @@
 """The command palette finds whatever has a name, and calls it; the sheet's rows call, too."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import CALLED, RECENT, Settings
-from procc_annotator.gui.window.key_sheet import KeySheet
+from procc_annotator.gui.window.key_dialogs import KeySheet
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 K = Qt.Key.Key_K
@@ -15,7 +15,7 @@ K = Qt.Key.Key_K
 
 def _titles(window: MainWindow) -> list[str]:
     model = window.palette_.list.model()
-    return [str(model.index(row, 0).data()) for row in range(model.rowCount())]
+    return [str(model.index(row, 1).data()).removeprefix("✓ ") for row in range(model.rowCount())]
 
 
 def _type(window: MainWindow, text: str) -> None:
@@ -160,10 +160,8 @@ def test_a_row_of_the_sheet_is_called_by_a_click(window, qtbot):
     QTest.keyClick(window.canvas, Qt.Key.Key_F1)
     sheet = window.findChild(KeySheet, "keySheet")
     QTest.keyClicks(sheet.search, "halfway line")
-    column = sheet.columns
-    line = column.fontMetrics().height()
-    at = QPoint(20, line + line // 4 + line // 2)  # below the title of the only section
-    QTest.mouseClick(column, Qt.MouseButton.LeftButton, pos=at)
+    at = sheet.table.visualRect(sheet.table.model().index(0, 0)).center()
+    QTest.mouseClick(sheet.table.viewport(), Qt.MouseButton.LeftButton, pos=at)
     assert window.document.state.selected_class == "Middle line"
     assert not sheet.isVisible()
     QTest.keyClick(window.canvas, Qt.Key.Key_F1)

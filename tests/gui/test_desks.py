@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QTabBar, QToolButton
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import DESKS as KEPT
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.workspaces import DESKS
 from tests.gui.conftest import all_done
 
 InFront = Callable[[MainWindow, str], bool]
@@ -116,7 +116,7 @@ def test_what_is_kept_in_another_form_is_passed_over(make_window, dataset):
     second = make_window(dataset)
     assert opened(second) == set(DESKS["annotate"])
     second.panels.turn_to("judge")
-    assert opened(second) == {"fit"}
+    assert opened(second) == JUDGE
 
 
 @pytest.mark.new_window

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
 
-from procc_annotator.gui.window.regions import Regions
+from procc_annotator.gui.window.keyboard_focus import Regions
 from tests.gui.conftest import Hand
 
 KEY = Qt.Key

@@ -14,7 +14,8 @@ from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.gui.keymap import PRESETS, USUAL, Keymap, clashes, from_values, to_values
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import KEYS, Settings
-from procc_annotator.gui.window.keymap_dialog import KeymapDialog
+from procc_annotator.gui.window.key_dialogs import KeymapDialog
+from tests.gui.conftest import sheet_text
 
 
 @pytest.fixture
@@ -106,7 +107,7 @@ def test_other_keys_work_at_once_and_are_remembered(window, hand, qtbot, monkeyp
     assert to_values(Settings().get(KEYS))["elements"] == {"Middle line": "F"}
     window.commands.show_keys()
     sheet = window.findChild(object, "keySheet")
-    assert "F2\tNext frame" in sheet.columns.text()
+    assert "F2\tNext frame" in sheet_text(sheet)
     sheet.close()
 
 

@@ -7,7 +7,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
 from procc_annotator.gui.theme import palette
-from procc_annotator.gui.window.icon_button import IconButton
+from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.resources import resources_dir
 
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.canvas.split_view import DividerGrip
-from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.workspaces import DESKS
 
 _NONE = (QAccessible.Role.NoRole, QAccessible.Role.Client, QAccessible.Role.Border)
 # What only holds others has no role of its own.

@@ -7,10 +7,12 @@ from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import QApplication, QTabBar, QWidget
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.icon_button import IconButton
+from procc_annotator.gui.window.tool_bar import IconButton
 from tests.gui.conftest import Hand
 
-pytestmark = pytest.mark.new_window
+pytestmark = [
+    pytest.mark.new_window,
+]
 
 
 @pytest.fixture(params=[1.0, 1.5])

@@ -11,8 +11,6 @@ import cv2
 import pytest
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication
-from pytest_benchmark.fixture import BenchmarkFixture
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
@@ -23,7 +21,7 @@ Report = Callable[..., None]
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory, sample_data: Path) -> Path:
+def dataset(tmp_path_factory, sample_data) -> Path:
     """2,000 frames of 1920x1080 (links to the sample's, enlarged), annotated as the sample is."""
     folder = tmp_path_factory.mktemp("bench")
     originals = []
@@ -42,7 +40,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory, sample_data: Path) -> Path
 
 
 @pytest.fixture
-def window(qtbot: QtBot, dataset: Path, tmp_path_factory: pytest.TempPathFactory) -> MainWindow:
+def window(qtbot, dataset, tmp_path_factory) -> MainWindow:
     settings = str(tmp_path_factory.mktemp("settings"))
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, settings)
     made = build_window(dataset)
@@ -55,7 +53,7 @@ def window(qtbot: QtBot, dataset: Path, tmp_path_factory: pytest.TempPathFactory
 
 
 @pytest.fixture
-def report(benchmark: BenchmarkFixture) -> Report:
+def report(benchmark) -> Report:
     """Time an action together with the painting it causes; print the median."""
 
     def measure(

@@ -68,7 +68,7 @@ def tell_when_painted(watch: Stopwatch) -> None:
             watch.painted()
         return answered
 
-    MainWindow.event = event  # type: ignore[method-assign]
+    MainWindow.event = event
 
 
 class OurHand:
@@ -95,7 +95,7 @@ class OurHand:
         for snapping, name in ((True, "snapping and loupe"), (False, "neither")):
             document.selecting.set_option("snapping", snapping)
             if not snapping:
-                canvas._place_loupe = canvas.loupe.hide  # type: ignore[method-assign]
+                canvas._place_loupe = canvas.loupe.hide
             self.rest()
             for turn in range(3):
                 self._drag(f"drag, per move, {name}", turn)
@@ -196,10 +196,10 @@ class OurHand:
 def _moved(annotation: object, by: float) -> object:
     from dataclasses import replace
 
-    polylines = annotation.polylines  # type: ignore[attr-defined]
+    polylines = annotation.polylines
     first = polylines[0]
     points = (first.points[0]._replace(u=first.points[0].u + by), *first.points[1:])
-    return replace(annotation, polylines=(replace(first, points=points), *polylines[1:]))  # type: ignore
+    return replace(annotation, polylines=(replace(first, points=points), *polylines[1:]))
 
 
 if __name__ == "__main__":

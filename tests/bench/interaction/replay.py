@@ -64,7 +64,6 @@ class Annotator:
         if tool.busy:
             self.actions += 1
             reaction = tool.key("Enter", self.context(name))
-        assert reaction.edit is not None
         assert reaction.finished
         self.annotation = reaction.edit.annotation
         self.selected = next_element(FIELD, self.annotation, name, self.seen_before)
@@ -81,7 +80,6 @@ def known_names(annotation: FrameAnnotation) -> list[str]:
 
 def pixels(annotation: FrameAnnotation, name: str) -> list[tuple[float, float]]:
     polyline = annotation.get(name)
-    assert polyline is not None
     return [(p.u * (SIZE[0] - 1), p.v * (SIZE[1] - 1)) for p in polyline.points]
 
 
@@ -199,7 +197,6 @@ def drawn_frames(sample_data: Path) -> Iterator[DrawnFrame]:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     for path in sorted(sample_data.glob("*.json")):
         loaded = cameras.camera(path.stem, SIZE)
-        assert loaded is not None
         exact: dict[str, list[np.ndarray]] = {}
         for stretch in visible_stretches(FIELD, loaded.camera, SIZE):
             exact.setdefault(stretch.name, []).append(stretch.points_px)

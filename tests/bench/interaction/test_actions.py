@@ -37,7 +37,7 @@ def read_frames(folder: Path) -> list[FrameAnnotation]:
     return [read_annotation(f.read_bytes(), path=str(f), field=FIELD) for f in files]
 
 
-def test_relabelling_takes_at_most_half_of_the_actions(shared_data: Path):
+def test_relabelling_takes_at_most_half_of_the_actions(shared_data):
     frames = read_frames(shared_data / "wc14" / "annotations")
     ours, theirs = [], []
     for frame in frames:
@@ -74,7 +74,7 @@ def accepting_by_geometry(frame: FrameAnnotation) -> AcceptAll:
 
 # Every third frame tells the share of all of them to a hundredth.
 @pytest.mark.parametrize("every", [24, pytest.param(3, marks=pytest.mark.soak)])
-def test_ghosts_on_the_real_set_by_geometry(shared_data: Path, every: int):
+def test_ghosts_on_the_real_set_by_geometry(shared_data, every):
     frames = read_frames(shared_data / "wc14" / "annotations")[::every]
     frames = [f for f in frames if f.annotated]
     done = [with_ghosts(frame, accepting_by_geometry(frame)) for frame in frames]
@@ -92,7 +92,7 @@ def test_ghosts_on_the_real_set_by_geometry(shared_data: Path, every: int):
 
 
 @pytest.mark.soak  # its figures; what must hold of them is asserted in tests/unit, too
-def test_ghosts_on_the_drawn_frames(sample_data: Path):
+def test_ghosts_on_the_drawn_frames(sample_data):
     rows = []
     for frame in drawn_frames(sample_data):
         done = with_ghosts(frame.clicked, frame.accept_all)

@@ -14,8 +14,6 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QApplication
-from pytest_benchmark.fixture import BenchmarkFixture
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
 from procc_annotator.dataset.database.database import WorkspaceDatabase
@@ -23,7 +21,7 @@ from procc_annotator.dataset.records import Status
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.image.line_snapping import snap_to_line
-from tests.bench.interaction.conftest import SIZE, Report
+from tests.bench.interaction.conftest import SIZE
 from tests.gui.conftest import Hand
 
 MANY = 20_000
@@ -41,7 +39,7 @@ def near_lines(window: MainWindow, count: int) -> Iterator[tuple[float, float]]:
         yield float(x), float(y)
 
 
-def test_click_with_snap(window: MainWindow, report: Report):
+def test_click_with_snap(window, report):
     document, hand = window.document, Hand(window)
     document.walk.go_to(1)
     places = near_lines(window, 10_000)
@@ -58,7 +56,7 @@ def test_click_with_snap(window: MainWindow, report: Report):
     assert moved.mean() > 0.3  # the others are at crossings, or on no paint
 
 
-def test_snap_alone(window: MainWindow, report: Report):
+def test_snap_alone(window, report):
     window.document.walk.go_to(1)
     picture = window.document.walk.picture
     assert picture is not None
@@ -72,7 +70,7 @@ def test_snap_alone(window: MainWindow, report: Report):
     print(f"with a known direction: {(time.perf_counter() - begin) / 300 * 1e3:.2f} ms")
 
 
-def test_regularise_a_frame(window: MainWindow, qtbot: QtBot, report: Report):
+def test_regularise_a_frame(window, qtbot, report):
     document = window.document
     document.walk.go_to(1)
     elements = len(document.state.annotation.polylines)
@@ -90,7 +88,7 @@ def test_regularise_a_frame(window: MainWindow, qtbot: QtBot, report: Report):
 
 
 @pytest.fixture
-def panned(tmp_path: Path, dataset: Path) -> Path:
+def panned(tmp_path, dataset) -> Path:
     """Two frames, the second a tenth of the width further to the side; the first is annotated."""
     folder = tmp_path / "panned"
     folder.mkdir()
@@ -103,7 +101,7 @@ def panned(tmp_path: Path, dataset: Path) -> Path:
     return folder
 
 
-def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Report):
+def test_copy_with_motion(qtbot, panned, tmp_path, report):
     QSettings.setPath(
         QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(tmp_path / "settings")
     )
@@ -122,9 +120,7 @@ def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Re
     document.close()
 
 
-def test_open_a_very_large_dataset(
-    benchmark: BenchmarkFixture, qtbot: QtBot, dataset: Path, tmp_path: Path
-):
+def test_open_a_very_large_dataset(benchmark, qtbot, dataset, tmp_path):
     """Everything up to the painted window, its database full of statuses and comments."""
     folder = tmp_path / "many"
     folder.mkdir()

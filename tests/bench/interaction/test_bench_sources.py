@@ -6,27 +6,25 @@ Figures are printed, medians of many; machines differ, so nothing here fails on 
 import itertools
 import time
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.maps import compare_cameras
-from tests.bench.interaction.conftest import FRAMES, SIZE, Report
+from tests.bench.interaction.conftest import FRAMES, SIZE
 from tests.gui.conftest import Hand, all_done
 
 SETS = ("bad", "homography", "pinhole", "true")
 
 
 @pytest.fixture
-def sources(window: MainWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot) -> MainWindow:
+def sources(window, sample_data, tmp_path, qtbot) -> MainWindow:
     """Four sources that have a camera for every frame, all of them audited."""
     document = window.document
     for name in SETS:
@@ -51,7 +49,7 @@ def sources(window: MainWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot)
     return window
 
 
-def test_switch_the_active_source(sources: MainWindow, report: Report):
+def test_switch_the_active_source(sources, report):
     document = sources.document
     turns = itertools.cycle(range(len(SETS)))
     report(
@@ -64,7 +62,7 @@ def test_switch_the_active_source(sources: MainWindow, report: Report):
     QApplication.processEvents()
 
 
-def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report):
+def test_switch_with_the_panel_of_sources(sources, report):
     sources.panels.show("cameras")
     QApplication.processEvents()
     document = sources.document
@@ -84,7 +82,7 @@ def _assert_shown(document: Document, turns: Iterator[int]) -> None:
 
 
 @pytest.mark.parametrize("split", [False, True], ids=["wireframes", "wireframes and split"])
-def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: bool):
+def test_drag_beside_other_sources(sources, report, split):
     document, hand = sources.document, Hand(sources)
     document.camera_sources.set_active_camera(0)
     document.selecting.set_mode("edit")
@@ -107,7 +105,7 @@ def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: b
     QTest.mouseRelease(viewport, left, none, grip)
 
 
-def test_move_the_divider(sources: MainWindow, report: Report):
+def test_move_the_divider(sources, report):
     sources.actions_["split"].trigger()
     split = sources.canvas.comparison.split
     places = itertools.cycle([*range(300, 900, 12), *range(900, 300, -12)])
@@ -116,7 +114,7 @@ def test_move_the_divider(sources: MainWindow, report: Report):
     assert split.x == pytest.approx(612.0, abs=1.0)
 
 
-def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot: QtBot):
+def test_next_frame_with_four_sources(sources, report, qtbot):
     document = sources.document
     indices = itertools.count(2)
 
@@ -129,7 +127,7 @@ def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot
     report("next frame, four sources", lambda: document.walk.go_to(next(indices)), 25, setup=ready)
 
 
-def test_disagreement(sources: MainWindow, report: Report, qtbot: QtBot):
+def test_disagreement(sources, report, qtbot):
     document = sources.document
     size, field = (1280, 720), document.state.field
     folder = document.state.sources

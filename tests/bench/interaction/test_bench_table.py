@@ -16,8 +16,6 @@ from collections import defaultdict
 from pathlib import Path
 from typing import Any
 
-from pytest_benchmark.fixture import BenchmarkFixture
-
 from tests.bench.interaction.pictures import make_datasets
 
 FRAMES = 2_000
@@ -38,7 +36,7 @@ ROWS = (
 Run = dict[str, Any]
 
 
-def test_table(benchmark: BenchmarkFixture, sample_data: Path, tmp_path: Path):
+def test_table(benchmark, sample_data, tmp_path):
     ours, theirs, cameras = make_datasets(sample_data, tmp_path, FRAMES)
     labelme = os.environ.get("LABELME_PYTHON")
     runs: dict[str, list[Run]] = defaultdict(list)

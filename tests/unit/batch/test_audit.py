@@ -81,9 +81,7 @@ def test_audits_of_the_sample_say_what_the_metric_says(sample_data, source):
         assert len(audit.class_rows) == len(audit.points_px) == len(audit.residuals_px)
 
 
-def test_where_neither_labelling_passes_residuals_are_those_of_the_labels_as_they_are(
-    sample_data,
-):
+def test_where_neither_labelling_passes_residuals_are_those_of_the_labels_as_they_are(sample_data):
     turned = 0
     for audit, measured in audits_of(sample_data, sample_data / "cameras" / "bad", tau=1e-6):
         turned += score(measured, 1e-6).mirrored

@@ -404,9 +404,7 @@ def test_cameras_stand_beside_the_court_and_look_down_at_it(cameras):
         assert forward[1] < 0 < forward[2]  # away from the near side, and down
 
 
-def test_each_view_shows_left_on_the_left_far_above_near_and_the_baskets_in_the_air(
-    cameras,
-):
+def test_each_view_shows_left_on_the_left_far_above_near_and_the_baskets_in_the_air(cameras):
     rims = np.array([place("Rim left centre"), place("Rim right centre")])
     world = np.vstack((
         rims, rims * (1, 1, 0), place("Court edge top"), place("Court edge bottom"),
