@@ -140,19 +140,6 @@ def test_no_two_failing_states_have_the_same_line(qapp, document):
 # --- field map ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("size", [(260, 190), (600, 420), (500, 160)])
-def test_every_element_can_be_clicked_on_the_map(qtbot, document, show, size):
-    panel = FieldMapPanel(document)
-    show(panel)
-    panel.resize(*size)
-    for element in document.state.field.elements:
-        position = panel.position_of(element.name)
-        qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=position.toPoint())
-        assert document.state.selected_class == element.name
-    qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
-    assert document.state.selected_class is None
-
-
 def test_the_main_camera_s_side_is_at_the_bottom(document, show):
     panel = FieldMapPanel(document)
     show(panel)

@@ -250,13 +250,6 @@ class TestOverview:
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
 
-    def test_the_csv_has_a_row_a_frame(self, window, hand, tmp_path, qtbot):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        target = tmp_path / "overview.csv"
-        window.exporter.write_overview(target)
-        qtbot.waitUntil(target.exists)
-        assert len(target.read_text().splitlines()) == 4
-
     def test_an_unreadable_frame_has_a_row_too(self, dataset, make_window, tmp_path, qtbot):
         (dataset / "frame_1.json").write_text("{")
         target = tmp_path / "overview.csv"

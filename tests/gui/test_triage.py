@@ -161,15 +161,6 @@ class TestWalks:
             press(window, Qt.Key.Key_F4)
         assert "two sources are needed" in told.args[0].text
 
-    def test_blind_it_goes_to_committed_frames_only(self, window):
-        document = window.document
-        for index in (1, 2):
-            document.walk.go_to(index)
-            document.editing.commit_frame()
-        document.blind_lock.set_blind(True)
-        document.walk.go_to(5)
-        assert sorted(walk(window, Qt.Key.Key_F3)) == ["00002", "00003"]
-
 
 class TestVerdicts:
     def test_one_key_marks_and_the_same_key_takes_it_back(self, window, qtbot):

@@ -45,14 +45,15 @@ ANGLES = np.linspace(0, 2 * np.pi, 8000)
 CIRCLE = np.column_stack([480 + 260 * np.cos(ANGLES), 280 + 90 * np.sin(ANGLES)])
 
 
+def regularised(drawn, picture, *, curved=False, size=SIZE):
+    """As the window does it: points snap to the lines of the picture."""
+    snap = partial(snap_points_to_lines, picture)
+    return regularise(drawn, curved=curved, size=size, snap=snap)
+
+
 def test_two_clicks_follow_a_bent_line():
     clicked = BENT[[0, -1]] + [[0, 2.0], [0, -1.5]]
-    found = regularise(
-        polyline("Middle line", clicked),
-        curved=False,
-        size=SIZE,
-        snap=partial(snap_points_to_lines, pitch(BENT)),
-    ).polyline
+    found = regularised(polyline("Middle line", clicked), pitch(BENT)).polyline
     points = points_px(found, SIZE)
     assert len(points) > 8
     assert np.median(away(points, BENT)) < 0.3
@@ -63,9 +64,7 @@ def test_two_clicks_follow_a_bent_line():
 
 def test_the_direction_of_the_clicks_is_kept():
     backwards = polyline("Middle line", BENT[[-1, 0]])
-    found = regularise(
-        backwards, curved=False, size=SIZE, snap=partial(snap_points_to_lines, pitch(BENT))
-    ).polyline
+    found = regularised(backwards, pitch(BENT)).polyline
     assert (np.diff(points_px(found, SIZE)[:, 0]) < 0).all()
 
 
@@ -75,12 +74,7 @@ def test_five_clicks_make_an_arc(shuffled):
     clicked = arc[[0, 1000, 2100, 3300, -1]] + np.random.default_rng(3).normal(0, 1.5, (5, 2))
     if shuffled:
         clicked = clicked[[3, 0, 4, 1, 2]]
-    found = regularise(
-        polyline("Circle central", clicked),
-        curved=True,
-        size=SIZE,
-        snap=partial(snap_points_to_lines, pitch(arc)),
-    )
+    found = regularised(polyline("Circle central", clicked), pitch(arc), curved=True)
     # A click farther off than the program may move it is the hand's own, and stays.
     own = points_px(Polyline("Circle central", found.unconfirmed), SIZE)
     assert away(own, CIRCLE).min(initial=np.inf) > MOST_MOVED_PX
@@ -104,12 +98,7 @@ def test_points_are_denser_where_it_bends():
 
 def test_a_whole_circle_closes():
     clicked = CIRCLE[[0, 1300, 2700, 4000, 5300, 6600, 7980]]
-    found = regularise(
-        polyline("Circle central", clicked),
-        curved=True,
-        size=SIZE,
-        snap=partial(snap_points_to_lines, pitch(CIRCLE)),
-    ).polyline
+    found = regularised(polyline("Circle central", clicked), pitch(CIRCLE), curved=True).polyline
     points = points_px(found, SIZE)
     assert np.hypot(*(points[0] - points[-1])) < 2.0
     turns = np.unwrap(np.arctan2(points[:, 1] - 280, points[:, 0] - 480))
@@ -119,12 +108,7 @@ def test_a_whole_circle_closes():
 def test_hidden_stretches_get_no_points():
     picture = pitch(BENT).copy()
     picture[200:400, 400:560] = (*GRASS, 255)
-    found = regularise(
-        polyline("Middle line", BENT[[0, -1]]),
-        curved=False,
-        size=SIZE,
-        snap=partial(snap_points_to_lines, picture),
-    ).polyline
+    found = regularised(polyline("Middle line", BENT[[0, -1]]), picture).polyline
     points = points_px(found, SIZE)
     assert not ((points[:, 0] > 404) & (points[:, 0] < 556)).any()
     assert (points[:, 0] < 400).sum() > 3
@@ -133,12 +117,7 @@ def test_hidden_stretches_get_no_points():
 
 def test_a_neighbouring_line_does_not_catch_points():
     crossing = np.column_stack([np.linspace(300, 700, 2000), np.linspace(270, 320, 2000)])
-    found = regularise(
-        polyline("Middle line", BENT[[0, -1]]),
-        curved=False,
-        size=SIZE,
-        snap=partial(snap_points_to_lines, pitch(BENT, crossing)),
-    ).polyline
+    found = regularised(polyline("Middle line", BENT[[0, -1]]), pitch(BENT, crossing)).polyline
     assert away(points_px(found, SIZE), BENT).max() < 1.5
 
 
@@ -153,12 +132,7 @@ def test_without_a_line_the_clicks_stay():
 def test_what_a_file_says_about_the_ends_is_kept():
     first = Point(BENT[0, 0] / 959, BENT[0, 1] / 539, (("sure", True),))
     last = Point(BENT[-1, 0] / 959, BENT[-1, 1] / 539)
-    found = regularise(
-        Polyline("Middle line", (first, last)),
-        curved=False,
-        size=SIZE,
-        snap=partial(snap_points_to_lines, pitch(BENT)),
-    ).polyline
+    found = regularised(Polyline("Middle line", (first, last)), pitch(BENT)).polyline
     assert found.points[0].extra == first.extra
 
 
@@ -184,12 +158,7 @@ def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data):
             drawn = Polyline(
                 element.name, tuple(point_from_px(x, y, size) for x, y in clicked.tolist())
             )
-            found = regularise(
-                drawn,
-                curved=not element.is_straight,
-                size=size,
-                snap=partial(snap_points_to_lines, picture),
-            )
+            found = regularised(drawn, picture, curved=not element.is_straight, size=size)
             assert set(found.unconfirmed) <= set(drawn.points)
             if found.polyline != drawn:
                 # A click far off the paint is the hand's own, and stays: the others are judged.
@@ -209,23 +178,19 @@ def test_no_click_is_lost_where_the_bend_is_hidden():
     picture[:, :330] = (*GRASS, 255)
     clicked = arc[[0, 900, 1800, 2500, 3000, 3500, -1]]
     drawn = polyline("Circle central", clicked)
-    found = regularise(drawn, curved=True, size=SIZE, snap=partial(snap_points_to_lines, picture))
+    found = regularised(drawn, picture, curved=True)
     hidden = {p for p, x in zip(drawn.points, clicked[:, 0], strict=True) if x < 320}
     assert len(hidden) >= 3
     assert hidden <= set(found.unconfirmed) <= set(found.polyline.points)
     assert len(found.polyline.points) > len(clicked)
-    again = regularise(
-        found.polyline, curved=True, size=SIZE, snap=partial(snap_points_to_lines, picture)
-    )
+    again = regularised(found.polyline, picture, curved=True)
     assert again.polyline == found.polyline
     assert set(again.unconfirmed) == set(found.unconfirmed)
 
 
 def test_a_line_beside_the_clicks_does_not_draw_them_to_itself():
     beside = polyline("Middle line", BENT[[0, 1000, 2000, 3000, -1]] + [0, 4.0])
-    found = regularise(
-        beside, curved=False, size=SIZE, snap=partial(snap_points_to_lines, pitch(BENT))
-    )
+    found = regularised(beside, pitch(BENT))
     assert found.polyline == beside
     assert found.unconfirmed == beside.points
 

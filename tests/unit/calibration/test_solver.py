@@ -145,6 +145,11 @@ def test_the_radial_coefficient_of_a_search_never_falls_below_zero(views, field)
 STEPS = np.array([1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6, 1e-4, 1e-4])
 
 
+def beside(vector, i, step):
+    """(2, n): a vector with one parameter a step larger, and a step smaller."""
+    return vector + np.outer((step, -step), np.arange(len(vector)) == i)
+
+
 @pytest.mark.parametrize(
     ("seed", "kappa"), [*((n, None) for n in range(6)), (0, -0.05), (1, -0.12)]
 )
@@ -158,10 +163,7 @@ def test_of_pinhole_residuals(views, field, seed, kappa):
         vector[7] = kappa
     found = pinhole_residuals(vector[None], seen, FRAME.half_diagonal, 11)
     for i, step in enumerate(STEPS):
-        ahead, behind = vector.copy(), vector.copy()
-        ahead[i] += step
-        behind[i] -= step
-        both = pinhole_residuals(np.array([ahead, behind]), seen, FRAME.half_diagonal, 11)
+        both = pinhole_residuals(beside(vector, i, step), seen, FRAME.half_diagonal, 11)
         numeric = (both.values[0] - both.values[1]) / (2 * step)
         scale = np.abs(found.derivatives[0, i]).max() + 1e-9
         # A point whose foot is about to leave an end has no derivative: no more than one in 20.
@@ -181,10 +183,7 @@ def test_of_exact_points_is_exact(views, field, k1):
     # The visible pieces of the metric are polylines, a hundredth of a pixel beside the curve.
     assert found.distances.max() < 0.02
     for i, step in enumerate(STEPS):
-        ahead, behind = vector.copy(), vector.copy()
-        ahead[i] += step
-        behind[i] -= step
-        both = pinhole_residuals(np.array([ahead, behind]), seen, FRAME.half_diagonal, 11)
+        both = pinhole_residuals(beside(vector, i, step), seen, FRAME.half_diagonal, 11)
         numeric = (both.values[0] - both.values[1]) / (2 * step)
         scale = np.abs(numeric).max()
         np.testing.assert_allclose(numeric, found.derivatives[0, i], atol=2e-3 * scale + 1e-6)
@@ -199,10 +198,7 @@ def test_of_homography_residuals(views, field):
     found = homography_residuals(vector[None], seen, basis)
     step = 1e-7
     for i in range(8):
-        ahead, behind = vector.copy(), vector.copy()
-        ahead[i] += step
-        behind[i] -= step
-        both = homography_residuals(np.array([ahead, behind]), seen, basis)
+        both = homography_residuals(beside(vector, i, step), seen, basis)
         numeric = (both.values[0] - both.values[1]) / (2 * step)
         off = np.abs(numeric - found.derivatives[0, i]) / np.abs(numeric).max()
         assert (off < 0.02).mean() > 0.95

@@ -379,21 +379,6 @@ def test_broadtracks_cameras(tmp_path, fmt):
             assert said in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    ("data", "expected"),
-    [
-        (b"{}", "holds no camera"),
-        (b"[1]", "expected an object with the keys of a BroadTrack file"),
-        (b'{"1.jpg": {"cp": {', "may be cut off"),
-        (b'{"1.jpg": {}, "1.jpg": {}}', "occurs twice"),
-    ],
-)
-def test_damage_to_all_of_a_broadtrack_file(tmp_path, data, expected):
-    (tmp_path / "1.json").write_bytes(data)
-    with pytest.raises(CameraError, match=expected):
-        CameraCollection.open(tmp_path / "1.json", "broadtrack")
-
-
 # --------------------------------------------------------------------------------- deepsportradar
 
 
@@ -479,20 +464,27 @@ def test_a_basketball_list_with_distortion_and_damage(tmp_path):
             assert said in str(caught.value)
 
 
+BROADTRACK, BASKETBALL = "broadtrack", "deepsportradar"
+
+
 @pytest.mark.parametrize(
-    ("data", "expected"),
+    ("fmt", "data", "expected"),
     [
-        (b"{}", "expected a list of cameras, found an object"),
-        (b"[]", "holds no camera"),
-        (b'[{"width": 960, "height": 540}]', "holds no camera"),
-        (b'[{"width": 0, "height": 540}, {}]', r"\[0\]: width and height: expected whole pixels"),
-        (b'[{"K": [1', "may be cut off"),
+        (BROADTRACK, b"{}", "holds no camera"),
+        (BROADTRACK, b"[1]", "expected an object with the keys of a BroadTrack file"),
+        (BROADTRACK, b'{"1.jpg": {"cp": {', "may be cut off"),
+        (BROADTRACK, b'{"1.jpg": {}, "1.jpg": {}}', "occurs twice"),
+        (BASKETBALL, b"{}", "expected a list of cameras, found an object"),
+        (BASKETBALL, b"[]", "holds no camera"),
+        (BASKETBALL, b'[{"width": 960, "height": 540}]', "holds no camera"),
+        (BASKETBALL, b'[{"width": 0, "height": 540}, {}]', "width and height: expected whole"),
+        (BASKETBALL, b'[{"K": [1', "may be cut off"),
     ],
 )
-def test_damage_to_all_of_a_basketball_list(tmp_path, data, expected):
+def test_damage_to_all_of_a_file(tmp_path, fmt, data, expected):
     (tmp_path / "1.json").write_bytes(data)
     with pytest.raises(CameraError, match=expected):
-        CameraCollection.open(tmp_path / "1.json", "deepsportradar")
+        CameraCollection.open(tmp_path / "1.json", fmt)
 
 
 # ------------------------------------------------------------------------------------- polylines
