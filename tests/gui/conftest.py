@@ -417,8 +417,13 @@ def begun(make_window, annotated, qtbot) -> MainWindow:
 @pytest.fixture
 def told(begun) -> list[str]:
     """What the window said, in order."""
+    return heard(begun.document)
+
+
+def heard(document) -> list[str]:
+    """A list that every text of a document's messages goes to from now on."""
     texts: list[str] = []
-    begun.document.store.events.message.connect(lambda m: texts.append(m.text))
+    document.store.events.message.connect(lambda m: texts.append(m.text))
     return texts
 
 

@@ -20,7 +20,7 @@ from procc_annotator.gui.panels.element_states import ElementState, element_stat
 from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from procc_annotator.report.overlay_scene import OverlayLook
-from tests.gui.conftest import Hand, all_done, settle
+from tests.gui.conftest import Hand, all_done, heard, settle
 
 HERE, OTHER = "00002", "00003"  # on screen, not committed; committed
 EMPTY = "00001"
@@ -304,9 +304,7 @@ def blind(make_window, dataset, qtbot) -> MainWindow:
 
 @pytest.fixture
 def told(blind) -> list[str]:
-    texts: list[str] = []
-    blind.document.store.events.message.connect(lambda m: texts.append(m.text))
-    return texts
+    return heard(blind.document)
 
 
 def nudge(window: MainWindow) -> None:
@@ -454,8 +452,7 @@ def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
     (dataset / ".procc").write_text("a file where the folder belongs")
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     window = make_window(dataset)
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(window.document)
     window.actions_["lock_blind"].trigger()
     assert "locked to blind mode, for you alone" in told[-1]
     assert "for you alone" in window.actions_["blind"].toolTip()

@@ -33,7 +33,7 @@ from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import wireframe_of
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
-from tests.gui.conftest import all_done, until_kept
+from tests.gui.conftest import all_done, heard, until_kept
 from tests.gui.known_already import TrackMemory
 
 Key, Button = Qt.Key, Qt.MouseButton
@@ -347,8 +347,7 @@ class TestTakingBack:
         assert camera_of(window) == first
         window.canvas.undo()
         assert window.document.corrections.here is None
-        said: list[str] = []
-        window.document.store.events.message.connect(lambda m: said.append(m.text))
+        said = heard(window.document)
         window.canvas.undo()
         assert said == ["nothing to undo on this frame"]
 

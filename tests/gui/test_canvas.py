@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.main_window import MainWindow
+from tests.gui.conftest import heard
 
 ALT = Qt.KeyboardModifier.AltModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -322,8 +323,7 @@ def test_holding_x_shows_the_bare_picture(window, hand, qtbot):
 
 
 def test_ctrl_delete_removes_the_element_while_drawing_too(window, hand, saved):
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(window.document)
     hand.draw("Middle line", (300, 60), (310, 300))
     hand.draw("Side line top", (100, 60), (500, 60))
     window.document.selecting.select_class("Middle line", continues=True)

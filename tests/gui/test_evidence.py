@@ -16,6 +16,7 @@ from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.messages import BENT
 from procc_annotator.interaction import palette as tones
+from tests.gui.conftest import heard
 
 MakeWindow = Callable[..., MainWindow]
 
@@ -95,8 +96,7 @@ def test_only_what_changed_is_looked_at_again(annotated, hand_on, qtbot, monkeyp
 
 def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(bent, hand_on, qtbot):
     document, hand = bent.document, hand_on(bent)
-    told: list[str] = []
-    document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(document)
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     hand.draw("Side line top", (102, 300), (858, 300))
 

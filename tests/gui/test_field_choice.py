@@ -16,7 +16,7 @@ from procc_annotator.field.load import builtin_field_file, field_titles, load_fi
 from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import let_work_end
+from tests.gui.conftest import heard, let_work_end
 
 pytestmark = [
     pytest.mark.new_window,  # the field of a window is the next dataset's
@@ -53,8 +53,7 @@ def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     (action,) = [a for a in menu.actions() if a.text() == title]
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(window.document)
     action.trigger()
     qtbot.waitUntil(lambda: f"from now on: {title}" in " ".join(told), timeout=20_000)
     assert window.document.state.field.title == title

@@ -16,7 +16,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.commands.field import field_dimensions
 from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsDialog
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import let_work_end
+from tests.gui.conftest import heard, let_work_end
 
 
 def asked(window: MainWindow) -> FieldDimensionsDialog:
@@ -218,8 +218,7 @@ def test_whatever_the_rules_leave_open_can_be_set(window, qtbot):
     let_work_end(qtbot)
     unpainted = tuple(replace(e, line_width=0.0, inside=None) for e in handball.elements)
     document.terms.set_field(replace(handball, elements=unpainted))
-    told: list[str] = []
-    document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(document)
     window.actions_["field_dimensions"].trigger()
     assert window.field_dimensions.dialog is None
     assert told == ["the rules fix every dimension of the field Handball"]

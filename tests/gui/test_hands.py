@@ -21,7 +21,7 @@ from procc_annotator.gui.window.canvas_menu import canvas_menu
 from procc_annotator.image.pixels import DisplayAdjustment
 from tests.bench.paint.measures import clicks_on
 from tests.bench.paint.truth import truth_frames
-from tests.gui.conftest import Hand, all_done
+from tests.gui.conftest import Hand, all_done, heard
 
 SIZE = (960, 540)
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -652,8 +652,7 @@ class TestWholeElements:
             on_pitch.element_edits.confirm_all()
         document.selecting.set_mode("draw")
         clicks.draw("Side top", (300, 200), (400, 200))
-        texts: list[str] = []
-        document.store.events.message.connect(lambda m: texts.append(m.text))
+        texts = heard(document)
         document.selecting.select_class("Side right")
         clicks.key(Qt.Key.Key_D, CTRL)
         assert texts[-1] == "Side bottom, Side left, Side top are annotated already"

@@ -15,7 +15,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.commands.review.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import AUTHOR
-from tests.gui.conftest import Hand, settle, until_kept
+from tests.gui.conftest import Hand, heard, settle, until_kept
 
 HandOn = Callable[[MainWindow], "Hand"]
 MIDDLE = "Middle line"
@@ -156,13 +156,12 @@ class TestDamage:
         first = sorted(annotated.glob("*.jpg"))[0]
         first.write_bytes(b"no picture")
         window = make_window(annotated)
-        heard: list[str] = []
-        window.document.store.events.message.connect(lambda m: heard.append(m.text))
+        said = heard(window.document)
         for name in ("regularise", "regularise_all", "close_gaps"):
-            heard.clear()
+            said.clear()
             window.document.selecting.select_class(window.document.state.annotation.annotated[0])
             window.actions_[name].trigger()
-            assert any(first.name in text for text in heard), name
+            assert any(first.name in text for text in said), name
 
 
 def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(

@@ -27,7 +27,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.plots.data import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.prediction import live_fit
-from tests.gui.conftest import Hand, all_done, let_work_end, settle
+from tests.gui.conftest import Hand, all_done, heard, let_work_end, settle
 
 FAR = "Side line top"
 
@@ -392,8 +392,7 @@ class TestSource:
     ):
         document = fitted.document
         document.camera_sources.set_active_camera(0)
-        told = []
-        document.store.events.message.connect(lambda m: told.append(m.text))
+        told = heard(document)
         out = tmp_path / "jac.csv"
         fitted.exporter.write_scores(out)
         assert not out.exists()
@@ -526,8 +525,7 @@ class TestPanel:
 
 class TestSaving:
     def save(self, window: MainWindow, qtbot: QtBot) -> str:
-        told: list[str] = []
-        window.document.store.events.message.connect(lambda m: told.append(m.text))
+        told = heard(window.document)
         window.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: any("sav" in text for text in told))
         return told[-1]
@@ -543,8 +541,7 @@ class TestSaving:
         assert json.loads(path.read_text())["fit"]["model"] == "P"
 
     def test_each_fit_is_written_however_soon_the_next_is_asked_for(self, fitted, annotated, qtbot):
-        told: list[str] = []
-        fitted.document.store.events.message.connect(lambda m: told.append(m.text))
+        told = heard(fitted.document)
         for _ in range(2):
             fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: sum("is saved as" in text for text in told) == 2)
@@ -636,8 +633,7 @@ class TestBlind:
         fitted.actions_["lock_blind"].trigger()
         document = fitted.document
         assert document.state.blind
-        told = []
-        document.store.events.message.connect(lambda m: told.append(m.text))
+        told = heard(document)
         fitted.actions_["blind"].trigger()
         assert document.state.blind
         assert fitted.actions_["blind"].isChecked()
@@ -667,8 +663,7 @@ class TestBlind:
         assert document.ghosts.suggestion is None
         assert document.fit_source.source not in document.state.sources
         before = document.state.annotation
-        told = []
-        document.store.events.message.connect(lambda m: told.append(m.text))
+        told = heard(document)
         Hand(fitted).key(Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
         fitted.actions_["accept_ghosts"].trigger()
         assert document.state.annotation is before

@@ -17,7 +17,7 @@ from procc_annotator.formats.file_source import open_source
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.metrics.setup import EvaluationSetup
-from tests.gui.conftest import Hand, let_work_end, settle
+from tests.gui.conftest import Hand, heard, let_work_end, settle
 
 HandOn = Callable[[MainWindow], "Hand"]
 TAU = 5.0
@@ -135,8 +135,7 @@ def test_a_file_in_the_middle_of_being_written_costs_no_history(audited, annotat
     document, path = audited.document, annotated / "00002.json"
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     whole = path.read_text()
-    said: list[str] = []
-    document.store.events.message.connect(lambda m: said.append(m.text))
+    said = heard(document)
     path.write_text(whole[:20])
     document.editing.look_at_frame()
     assert not said  # it was not read; the frame says why

@@ -12,6 +12,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
 from procc_annotator.gui.commands.files.overlay_saving import OverlayDialog
 from procc_annotator.report.overlay_scene import OverlayLook, Scene
+from tests.gui.conftest import heard
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -113,8 +114,7 @@ def test_the_menu_asks_and_writes(make_window, annotated, tmp_path, monkeypatch,
 
     monkeypatch.setattr(OverlayDialog, "exec", choose)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
-    said: list[str] = []
-    window.document.store.events.message.connect(lambda m: said.append(m.text))
+    said = heard(window.document)
     window.actions_["save_overlay"].trigger()
     written = out.with_suffix(".svg")
     qtbot.waitUntil(lambda: len(said) == 2, timeout=20_000)

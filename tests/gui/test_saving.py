@@ -10,7 +10,7 @@ from procc_annotator.dataset import saving
 from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import until_kept
+from tests.gui.conftest import heard, until_kept
 
 MIDDLE = "Middle line"
 
@@ -44,8 +44,7 @@ def test_a_finished_edit_is_on_disk_before_anything_else_happens(window, hand, s
 
 def test_a_failed_save_is_visible_told_once_and_tried_again(window, hand, disk, saved, qtbot):
     disk.full = True
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(window.document)
     hand.draw(MIDDLE, (100, 50), (120, 200))
     assert window.isWindowModified()
     assert "NOT SAVED" in window.top_bar.saved.text()

@@ -15,7 +15,7 @@ from procc_annotator.dataset import editing, saving
 from procc_annotator.dataset.locks import locks_folder
 from procc_annotator.errors import AnnotationError, SaveError
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand, until_kept
+from tests.gui.conftest import Hand, heard, until_kept
 
 MIDDLE, TOP = "Middle line", "Side line top"
 THEIRS = '{"Circle left": [{"x": 0.5, "y": 0.5}]}'
@@ -265,8 +265,7 @@ def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(window, di
 
 
 def test_what_is_being_written_is_nobody_elses_change(window, disk, dataset, qtbot):
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(window.document)
     disk.let_go()
     click(window)
     until_kept()

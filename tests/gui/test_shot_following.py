@@ -26,7 +26,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import proposals
 from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
-from tests.gui.conftest import Hand, all_done, until_kept
+from tests.gui.conftest import Hand, all_done, heard, until_kept
 from tests.gui.known_already import TrackMemory
 
 SIZE = (640, 360)
@@ -205,8 +205,7 @@ class TestFollowing:
 
     def test_not_in_blind_mode_nor_without_order(self, window, dataset, qtbot):
         document = window.document
-        said: list[str] = []
-        document.store.events.message.connect(lambda m: said.append(m.text))
+        said = heard(document)
 
         document.blind_lock.set_blind(True)
         press(window, Key.Key_T)
@@ -438,8 +437,7 @@ class TestAccepting:
         assert files(video) == []
 
     def test_without_a_track_it_says_what_to_do(self, window):
-        said: list[str] = []
-        window.document.store.events.message.connect(lambda m: said.append(m.text))
+        said = heard(window.document)
 
         press(window, Key.Key_Return, CTRL | SHIFT)
 
@@ -452,8 +450,7 @@ class TestAccepting:
         hand.key(Key.Key_Return, SHIFT)
         all_done(qtbot)
         names = set(document.state.annotation.annotated)
-        said: list[str] = []
-        document.store.events.message.connect(lambda m: said.append(m.text))
+        said = heard(document)
 
         document.walk.go_to(1)
         all_done(qtbot)

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
+from tests.gui.conftest import heard
+
 MARK = "Penalty mark left"
 
 
@@ -34,8 +36,7 @@ def test_a_spot_is_moved_and_removed_like_any_point(window, hand, saved):
 
 
 def test_a_spot_is_not_regularised(window, hand, saved):
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(window.document)
     hand.draw(MARK, (200, 150))
     window.document.selecting.select_class(MARK)
     window.actions_["regularise"].trigger()

@@ -14,7 +14,7 @@ from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.gui.commands.shot import accepting, following
 from procc_annotator.gui.main_window import MainWindow
 from tests.drawn_shots import soccer_shot
-from tests.gui.conftest import SIZE, Hand, all_done, until_kept
+from tests.gui.conftest import SIZE, Hand, all_done, heard, until_kept
 
 COUNT = 12
 DAMAGED = 6
@@ -137,8 +137,7 @@ def test_stopped_before_anything_was_followed_it_says_so(window, qtbot, monkeypa
             args[-1]()  # ends once nobody wants it
 
     monkeypatch.setattr(following, "shot_range_around", shot_around)
-    said: list[str] = []
-    window.document.store.events.message.connect(lambda m: said.append(m.text))
+    said = heard(window.document)
 
     press(window, Key.Key_T)
     press(window, Key.Key_T)

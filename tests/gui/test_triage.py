@@ -17,7 +17,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.metrics.score import explain_score, worst_elements_first
-from tests.gui.conftest import Hand, MakeWindow, all_done
+from tests.gui.conftest import Hand, MakeWindow, all_done, heard
 
 SETS = ("true", "bad")
 
@@ -272,8 +272,7 @@ class TestVerdicts:
             press(window, Qt.Key.Key_F7)
         document.editing.commit_frame()
         document.blind_lock.set_blind(True)
-        told: list[str] = []
-        document.store.events.message.connect(lambda m: told.append(m.text))
+        told = heard(document)
         (shown,) = exported(window, tmp_path / "verdicts.csv", qtbot)
         assert "leaves out 1 " in told[-1]
         assert shown["frame"] == "00002"

@@ -13,7 +13,7 @@ from procc_annotator.annotation import Point, Polyline
 from procc_annotator.calibration.label_check.finding import Remedy, RemedyKind
 from procc_annotator.gui.commands.review.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand, until_kept
+from tests.gui.conftest import Hand, heard, until_kept
 
 HandOn = Callable[[MainWindow], "Hand"]
 OnDisk = Callable[..., tuple[str, ...]]
@@ -261,8 +261,7 @@ def test_a_remedy_keeps_what_the_other_window_clicked(both, hand_on, qtbot):
 
 def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(both, qtbot):
     first, second = both
-    told: list[str] = []
-    second.document.store.events.message.connect(lambda m: told.append(m.text))
+    told = heard(second.document)
     first.document.blind_lock.set_locked(True)
     first.document.review.database.flush(5.0)
     review = second.document.review

@@ -12,13 +12,12 @@ from typing import Any
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import background
 from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.checking import label_check
 from procc_annotator.gui.state.scoring import dataset_scores
 from procc_annotator.report import conversion
-from tests.gui.conftest import Hand, let_work_end
+from tests.gui.conftest import Hand, heard, let_work_end
 
 TOP, MIDDLE, BOTTOM = "Side line top", "Middle line", "Side line bottom"
 
@@ -66,12 +65,6 @@ class Stop:
         return self.function(*given, **named)
 
 
-def messages(window: MainWindow) -> list[str]:
-    told: list[str] = []
-    window.document.store.events.message.connect(lambda m: told.append(m.text))
-    return told
-
-
 def test_an_export_is_of_the_dataset_it_was_asked_for(make_window, dataset, other, tmp_path, qtbot):
     window = make_window(dataset)
     let_work_end(qtbot)
@@ -112,7 +105,7 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
     Hand(window).draw(MIDDLE, (100, 100), (200, 200))
     window.document.walk.next_frame()
     let_work_end(qtbot)
-    told, path = messages(window), tmp_path / "out"
+    told, path = heard(window.document), tmp_path / "out"
     with busy():
         getattr(window.exporter, f"write_{what}")(path)
         assert window.document.opening.open_path(
@@ -129,7 +122,7 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
     window.panels.show("plots")
     window.document.live_fit.set_wanted(False)
     let_work_end(qtbot)
-    told = messages(window)
+    told = heard(window.document)
     with busy(background._THREADS[background.Priority.LOW] - 1):
         slow = Stop(dataset_scores._audit, 3)
         with pytest.MonkeyPatch.context() as patch:
