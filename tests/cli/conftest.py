@@ -1,5 +1,6 @@
 """A small dataset: five frames seen by known cameras, annotated where those show the field."""
 
+import csv
 import json
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -125,13 +126,20 @@ def new_dataset(tmp_path_factory) -> Callable[[], Dataset]:
 
 
 class Cli:
-    """Runs the command in this process."""
+    """Runs the command in this process; it must exit with this code (None: any)."""
 
-    def __call__(self, *arguments: object) -> Result:
+    def __call__(self, *arguments: object, code: int | None = 0) -> Result:
         done = CliRunner().invoke(app, [str(a) for a in arguments])
         if done.exception is not None and not isinstance(done.exception, SystemExit):
             raise done.exception
+        assert code in (None, done.exit_code), done.output
         return done
+
+
+def rows_in(path: Path) -> list[dict[str, str]]:
+    """The rows of a CSV file."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 @cache

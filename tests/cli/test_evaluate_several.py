@@ -1,7 +1,5 @@
 """``evaluate`` over several sets, methods and sizes; groups of frames; the table that grows."""
 
-import csv
-import io
 import json
 import os
 import shutil
@@ -14,6 +12,8 @@ import numpy as np
 import pytest
 import scipy
 
+from tests.cli.conftest import rows_in
+
 KEYS = [
     "protocol", "field", "field_name", "field_dimensions", "field_lines", "size", "thresholds",
     "images",
@@ -23,11 +23,6 @@ KEYS = [
 
 def load(path: Path) -> dict[str, Any]:
     return json.loads(path.read_text())
-
-
-def table(path: Path) -> list[dict[str, str]]:
-    with path.open(newline="") as file:
-        return list(csv.DictReader(file))
 
 
 @pytest.fixture
@@ -54,7 +49,6 @@ def test_every_method_is_scored_on_every_set_at_every_size(cli, sets):
         "evaluate", *SEVERAL, "--size", "960x540", "--size", "480x270", "-t", "5", "-t", "2",
         "-o", "out.json",
     )  # fmt: skip
-    assert done.exit_code == 0, done.output
     found = load(sets / "out.json")
     assert list(found) == ["evaluations"]
     assert all(list(e) == ["set", "method", *KEYS] for e in found["evaluations"])
@@ -78,8 +72,7 @@ def test_homographies_belong_to_their_own_size_at_every_size(cli, sets, sample_d
     cameras = f"H={sample_data / 'cameras' / 'homography'}"
     for sizes in (("960x540", "1280x720"), ("1280x720", "960x540")):
         asked = [part for size in sizes for part in ("--size", size)]
-        done = cli("evaluate", sample_data, "--cameras", cameras, *asked, "-o", "h.json")
-        assert done.exit_code == 0, done.output
+        cli("evaluate", sample_data, "--cameras", cameras, *asked, "-o", "h.json")
         for one in load(sets / "h.json")["evaluations"]:
             assert one["summary"]["5"]["mean_error"] < 3, one["size"]
 
@@ -96,9 +89,9 @@ def test_each_part_of_several_is_what_it_is_alone(cli, sets):
         assert list(alone) == KEYS
         assert {k: part[k] for k in KEYS} == alone
         label = {"good": "A", "poor": "B"}[method]
-        rows = [r for r in table(sets / "all.csv") if (r["set"], r["method"]) == (name, label)]
+        rows = [r for r in rows_in(sets / "all.csv") if (r["set"], r["method"]) == (name, label)]
         assert [list(r)[:2] for r in rows] == [["set", "method"]] * len(rows)
-        own = table(sets / "one.csv")
+        own = rows_in(sets / "one.csv")
         assert [r["jac"] for r in rows] == [r["jac"] for r in own]
         assert "set" not in own[0]
 
@@ -124,8 +117,7 @@ def test_one_named_method_says_its_name(cli, sets):
     ],
 )
 def test_what_is_missing_or_twice_is_one_line(cli, sets, arguments, says):
-    done = cli("evaluate", *arguments)
-    assert done.exit_code == 2
+    done = cli("evaluate", *arguments, code=2)
     assert says in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
@@ -147,7 +139,6 @@ def test_groups_by_tag_and_model(cli, sets):
         "evaluate", "day/annotations", "day/poor", "--tags", "tags.csv", "--by", "light",
         "--by", "model", "-o", "out.json",
     )  # fmt: skip
-    assert done.exit_code == 0, done.output
     assert "note: tags.csv: 1 row of no annotated frame (00012)" in done.stderr
     found = load(sets / "out.json")
     assert list(found) == [*KEYS, "groups"]
@@ -163,21 +154,19 @@ def test_groups_by_tag_and_model(cli, sets):
     rows = [line.split()[1] for line in shown.splitlines() if line.startswith("│")]
     assert rows == ["day", "dusk", "–", "pinhole", "–"]
     cli("evaluate", "day/annotations", "day/poor", "--tags", "tags.csv", "-o", "out.csv")
-    assert [r["by_light"] for r in table(sets / "out.csv")] == ["day", "day", "dusk", "", ""]
+    assert [r["by_light"] for r in rows_in(sets / "out.csv")] == ["day", "day", "dusk", "", ""]
 
 
 def test_tags_that_belong_to_no_frame_are_refused(cli, sets):
     (sets / "tags.csv").write_text("frame,light\n00001,day\n")
-    done = cli("evaluate", "day/annotations", "day/good", "--tags", "tags.csv")
-    assert done.exit_code == 2
+    done = cli("evaluate", "day/annotations", "day/good", "--tags", "tags.csv", code=2)
     assert "'00001'" in done.stderr
     assert "'1'" in done.stderr
 
 
 def test_unreadable_annotations_are_listed_once_for_all_methods(cli, sets):
     (sets / "day/annotations/1.json").write_text("{")
-    done = cli("evaluate", *SEVERAL)
-    assert done.exit_code == 1
+    done = cli("evaluate", *SEVERAL, code=1)
     assert sum(line.startswith("unreadable: ") for line in done.stderr.splitlines()) == 1
 
 
@@ -192,7 +181,7 @@ def test_a_reader_that_has_seen_enough_is_no_error(sets):
             stdout=pipe, stderr=subprocess.PIPE, check=False, text=True,
         )  # fmt: skip
     assert (done.returncode, done.stderr) == (141, "")
-    assert len(table(sets / "b.csv")) == 18
+    assert len(rows_in(sets / "b.csv")) == 18
 
 
 # How much of a frame is annotated stands beside its figures, and sets are broken down by it.
@@ -211,8 +200,8 @@ def test_every_frame_has_number_and_spread_of_its_elements(cli, dataset, tmp_pat
     (dataset.annotations / "2.json").write_text("{}")
     (dataset.cameras / "camera_3.json").unlink()
     outputs = ("-o", tmp_path / "s.csv", "-o", tmp_path / "s.json")
-    assert cli("evaluate", *dataset.set_arguments, *outputs).exit_code == 0
-    by_csv = {r["name"]: r for r in csv.DictReader(io.StringIO((tmp_path / "s.csv").read_text()))}
+    cli("evaluate", *dataset.set_arguments, *outputs)
+    by_csv = {r["name"]: r for r in rows_in(tmp_path / "s.csv")}
     by_json = {i["name"]: i for i in json.loads((tmp_path / "s.json").read_text())["images"]}
     assert len(by_csv) == 5
     for name, row in by_csv.items():
@@ -237,8 +226,7 @@ def test_a_report_is_broken_down_by_it(cli, dataset, tmp_path, by):
     keep(dataset.annotations, "1", 3)
     out = tmp_path / "r.json"
     given = ("--cameras", f"a={dataset.cameras}")
-    done = cli("report", dataset.root, *given, "--by", by, "-o", out, *FEW)
-    assert done.exit_code == 0, done.output
+    cli("report", dataset.root, *given, "--by", by, "-o", out, *FEW)
     rows = json.loads(out.read_text())["chance"][0][f"by_{by}"]["rows"]
     assert sum(row["frames"] for row in rows) == 5
     if by == "model":
@@ -253,7 +241,6 @@ def test_frames_of_few_elements_are_a_part_of_their_own(cli, dataset, tmp_path):
     for frame in ("1", "2"):
         keep(dataset.annotations, frame, 2)
     out = tmp_path / "s.json"
-    done = cli("evaluate", *dataset.set_arguments, "--by", "elements", "-o", out, *FEW)
-    assert done.exit_code == 0, done.output
+    cli("evaluate", *dataset.set_arguments, "--by", "elements", "-o", out, *FEW)
     rows = json.loads(out.read_text())["chance"][0]["by_elements"]["rows"]
     assert {row["value"]: row["frames"] for row in rows}["2 to 2 elements"] == 2

@@ -28,7 +28,6 @@ def mine(tmp_path) -> Path:
 
 def test_list_names_every_field_with_its_size_and_rules(cli):
     done = cli("field", "list")
-    assert done.exit_code == 0
     for name in field_names():
         assert re.search(rf"\b{name} ", done.stdout), name
     assert "60 x 26-30 m" in done.stdout
@@ -39,14 +38,13 @@ def test_check_passes_what_comes_with_the_program(cli, mine):
     done = cli("field", "check", "ice_hockey_nhl")
     assert (done.exit_code, done.stderr) == (0, "")
     assert "Ice hockey (NHL): 49 elements, 19 dimensions: nothing to mend" in done.stdout
-    assert cli("field", "check", str(mine)).exit_code == 0
+    cli("field", "check", str(mine))
 
 
 def test_check_names_what_to_mend(cli, mine):
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace("-goal_height", "goal_height"), encoding="utf-8")
-    done = cli("field", "check", str(mine))
-    assert done.exit_code == 1
+    done = cli("field", "check", str(mine), code=1)
     number = text[: text.index('name = "Goal left crossbar"')].count("\n")
     line = (
         f"warning: {mine}: line {number}: element 'Goal left crossbar': lies 2.44 m below the"
@@ -59,8 +57,7 @@ def test_check_names_what_to_mend(cli, mine):
 def test_check_knows_the_keys_of_the_window(cli, mine):
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace('shortcut = "3"', 'shortcut = "x"', 1), encoding="utf-8")
-    done = cli("field", "check", str(mine))
-    assert done.exit_code == 1
+    done = cli("field", "check", str(mine), code=1)
     assert "the key x is taken by the window: hide all overlays" in done.stdout
 
 
@@ -68,8 +65,7 @@ def test_check_says_where_a_field_cannot_be_read(cli, mine):
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace('"circle_radius"', '"circle_radios"', 1), encoding="utf-8")
     line = text[: text.index('"circle_radius"')].count("\n") + 1
-    done = cli("field", "check", str(mine))
-    assert done.exit_code == 2
+    done = cli("field", "check", str(mine), code=2)
     assert f"{mine}: line {line}: element 'Circle central'.radius: bad formula" in done.stderr
     assert "did you mean 'circle_radius'?" in done.stderr
 
@@ -78,7 +74,6 @@ def test_show_tells_elements_dimensions_and_symmetries(cli, tmp_path, monkeypatc
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
         monkeypatch.delenv(name, raising=False)
     done = cli("field", "show", "ice_hockey_iihf:width=26")
-    assert done.exit_code == 0
     rows = {r.split("│")[1].strip(): r for r in done.stdout.splitlines() if r.startswith("│")}
     assert "13.35" in rows["Far right corner"]
     assert "arc, optional" in rows["Far right corner"]
@@ -103,7 +98,7 @@ def test_show_draws_every_element_in_its_colour(cli, tmp_path):
 def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(cli, tmp_path):
     outs = [tmp_path / "a.svg", tmp_path / "b.SVG"]
     for out in outs:
-        assert cli("field", "show", "ice_hockey_iihf", "-o", str(out)).exit_code == 0
+        cli("field", "show", "ice_hockey_iihf", "-o", str(out))
     text = outs[0].read_text(encoding="utf-8")
     assert text == outs[1].read_text(encoding="utf-8")
     for element in load_field("ice_hockey_iihf").elements:
@@ -121,8 +116,7 @@ def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(cli, tmp_pa
 )
 def test_show_refuses_what_it_cannot_write(cli, tmp_path, name, told):
     (tmp_path / "file").write_text("", encoding="utf-8")
-    done = cli("field", "show", "soccer", "--output", str(tmp_path / name))
-    assert done.exit_code == 2
+    done = cli("field", "show", "soccer", "--output", str(tmp_path / name), code=2)
     assert told in done.stderr
 
 
@@ -130,14 +124,13 @@ def test_show_never_writes_over_the_field(cli, mine):
     link = mine.with_suffix(".svg")
     link.symlink_to(mine)
     before = mine.read_bytes()
-    assert cli("field", "show", str(mine), "-o", str(link)).exit_code == 2
+    cli("field", "show", str(mine), "-o", str(link), code=2)
     assert mine.read_bytes() == before
 
 
 @pytest.mark.parametrize("command", ["list", "check", "show"])
 def test_the_commands_have_help_with_an_example(cli, command):
     done = cli("field", command, "--help")
-    assert done.exit_code == 0
     assert f"procc-annotator field {command}" in done.stdout
 
 
@@ -158,8 +151,7 @@ def test_the_commands_have_help_with_an_example(cli, command):
     ],
 )
 def test_dimensions_that_cannot_be_are_told_without_the_installed_file(cli, text, says):
-    done = cli("field", "show", text)
-    assert done.exit_code == 2
+    done = cli("field", "show", text, code=2)
     assert says in done.stderr
     assert ".toml" not in done.stderr
 
@@ -188,8 +180,7 @@ def keep_length(folder: Path, length: float) -> None:
 
 def scored(cli, dataset: Dataset, out: Path, *more: str) -> str:
     """The field that an evaluation names in its file."""
-    done = cli("evaluate", *dataset.set_arguments, "--output", out, *more)
-    assert done.exit_code == 0, done.stderr
+    cli("evaluate", *dataset.set_arguments, "--output", out, *more)
     return str(json.loads(out.read_text())["field"])
 
 
@@ -213,7 +204,6 @@ def test_every_set_has_a_field_of_its_own(cli, dataset, tmp_path):
     arguments = ["evaluate", "--set", f"own={dataset.annotations}", "--set", f"plain={plain}",
                  "--cameras", f"true={dataset.cameras}"]  # fmt: skip
     done = cli(*arguments)
-    assert done.exit_code == 0, done.stderr
     assert done.stdout.count("soccer 101.3 x 68 m") == 1
     done = cli("agree", dataset.annotations, plain)
     assert "soccer 101.3 x 68 m" in done.stdout  # the other one says nothing
@@ -221,8 +211,7 @@ def test_every_set_has_a_field_of_its_own(cli, dataset, tmp_path):
 
 def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset):
     (dataset.root / FIELD_FILE).write_text('name = "ours"')
-    done = cli("evaluate", *dataset.set_arguments)
-    assert done.exit_code == 2
+    done = cli("evaluate", *dataset.set_arguments, code=2)
     assert FIELD_FILE in done.stderr
 
 
@@ -243,7 +232,7 @@ def test_classes_of_another_field_are_told(cli, dataset, tmp_path, command):
     done = cli(command, *places, "--field", own)
     assert "the field Yard of yard.toml does not know" in done.stderr
     assert "Soccer knows all: --field soccer" in done.stderr
-    assert "does not know" not in cli(command, *places).stderr
+    assert "does not know" not in cli(command, *places, code=None).stderr
 
 
 def test_a_field_file_that_cannot_be_used_is_told(cli, dataset, tmp_path):
@@ -256,6 +245,5 @@ def test_a_field_file_that_cannot_be_used_is_told(cli, dataset, tmp_path):
     assert note in cli("evaluate", packed, dataset.cameras).stderr
     assert note not in cli("evaluate", packed, dataset.cameras, "--field", "soccer").stderr
     (dataset.root / "field.toml").mkdir()
-    done = cli("evaluate", *dataset.set_arguments)
-    assert done.exit_code == 2
+    done = cli("evaluate", *dataset.set_arguments, code=2)
     assert "is a folder, expected a file" in done.stderr

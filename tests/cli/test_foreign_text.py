@@ -75,7 +75,7 @@ def test_nothing_that_a_terminal_would_obey_is_printed(
         monkeypatch.setenv("COLUMNS", "200")
     told = ""
     for name, arguments in _commands(evil, tmp_path / "out").items():
-        done = cli(name, *arguments)
+        done = cli(name, *arguments, code=None)
         said = done.stdout + done.stderr
         assert "\x1b]0" not in said, name
         assert "\x07" not in said, name
@@ -99,6 +99,5 @@ def test_a_folder_whose_name_is_not_unicode_is_reported(cli, dataset, tmp_path):
     outputs = [
         part for kind in ("html", "tex", "csv", "json") for part in ("-o", tmp_path / f"r.{kind}")
     ]
-    done = cli("report", dataset.root, "--cameras", cameras, *outputs)
-    assert done.exit_code == 0, done.stderr
+    cli("report", dataset.root, "--cameras", cameras, *outputs)
     assert r"c\udcff$x^$" in (tmp_path / "r.html").read_text()

@@ -1,12 +1,13 @@
 """Pictures that are not 16:9: their own shape is what cameras are fitted and labels checked in."""
 
-import csv
 import json
 import shutil
 
 import cv2
 import numpy as np
 import pytest
+
+from tests.cli.conftest import rows_in
 
 FOUR_THIRDS = (1024, 768)
 
@@ -20,15 +21,13 @@ def square(dataset):
 
 
 def rows(path) -> dict[str, dict[str, str]]:
-    with open(path, newline="") as file:
-        return {row["name"]: row for row in csv.DictReader(file)}
+    return {row["name"]: row for row in rows_in(path)}
 
 
 @pytest.mark.parametrize("given", ["root", "annotations"])
 def test_cameras_have_the_shape_of_the_pictures(cli, square, tmp_path, given):
     out = tmp_path / "out"
     done = cli("calibrate", getattr(square, given), out, "-m", "P", "-t", 1)
-    assert done.exit_code == 0, done.stderr
     assert "note: pictures are 1024x768: fitted at 960x720\n" in done.stderr
     assert "soccernet, 960x720" in done.stdout
     for name, row in rows(out / "calibration.csv").items():
@@ -56,7 +55,7 @@ def test_each_frame_has_its_own_shape(cli, dataset, tmp_path):
 
 def test_a_frame_without_a_picture_is_like_the_others(cli, square, tmp_path):
     (square.root / "3.jpg").unlink()
-    assert cli("calibrate", square.root, tmp_path / "out").exit_code == 0
+    cli("calibrate", square.root, tmp_path / "out")
     assert rows(tmp_path / "out" / "calibration.csv")["3"]["height"] == "720"
 
 
@@ -103,7 +102,7 @@ def test_sixteen_by_nine_is_nothing_to_tell(cli, dataset, tmp_path):
 
 
 def test_the_official_size_stays_but_is_warned_of(cli, square, tmp_path):
-    assert cli("calibrate", square.root, tmp_path / "out").exit_code == 0
+    cli("calibrate", square.root, tmp_path / "out")
     done = cli("evaluate", square.annotations, tmp_path / "out")
     assert "note: pictures are 1024x768, compared at 960x540, which has another" in done.stderr
     assert "soccernet, 960x540" in done.stdout
@@ -119,17 +118,16 @@ def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height
         ("check", dataset.root, "-o", tmp_path / "f.json"),
         ("calibrate", dataset.root, tmp_path / "fits", "--model", "auto"),
     ):
-        done = cli(*asked)
+        done = cli(*asked, code=None)
         assert done.exit_code in (0, 1), done.output
     assert (tmp_path / "fits" / "camera_2.json").exists()
-    released = cli("release", dataset.root, tmp_path / "released", "--no-check")
+    released = cli("release", dataset.root, tmp_path / "released", "--no-check", code=1)
     assert "expected a picture" in released.stderr
     few = tmp_path / "few"
     few.mkdir()
     shutil.copy(dataset.root / "2.jpg", few)
     for command in ("propose", "track"):
-        done = cli(command, few, tmp_path / command)
-        assert done.exit_code == 1
+        done = cli(command, few, tmp_path / command, code=1)
         assert "expected a picture" in done.stderr
 
 
@@ -139,8 +137,6 @@ def test_a_size_of_no_shape_ends_no_set(cli, dataset, tmp_path):
     (dataset.root / "2.jpg").unlink()
     path.write_text(json.dumps(told))
     done = cli("calibrate", dataset.root, tmp_path / "fits", "--model", "auto")
-    assert done.exit_code == 0, done.output
     assert (tmp_path / "fits" / "camera_2.json").exists()
-    done = cli("calibrate", dataset.root, tmp_path / "out", "--size", "2x4000")
-    assert done.exit_code == 2
+    done = cli("calibrate", dataset.root, tmp_path / "out", "--size", "2x4000", code=2)
     assert "no shape of a picture" in done.stderr

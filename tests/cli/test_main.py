@@ -43,7 +43,6 @@ def test_help_lists_the_commands_and_shows_examples(cli):
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_help_with_an_example(cli, name):
     done = cli(name, "--help")
-    assert done.exit_code == 0
     example = done.stdout.split("Example:")[1]
     assert f"procc-annotator {name} " in example
     options = typer.main.get_command(app).commands[name].load().params
@@ -51,8 +50,7 @@ def test_every_command_has_help_with_an_example(cli, name):
 
 
 def test_a_mistyped_command_is_recognised(cli):
-    done = cli("evalute", "a", "b")
-    assert done.exit_code == 2
+    done = cli("evalute", "a", "b", code=2)
     assert "evaluate" in done.stderr
 
 
@@ -78,10 +76,10 @@ def test_a_path_opens_the_window(cli, qapp, monkeypatch, tmp_path, command):
         return 0
 
     monkeypatch.setattr(gui_app, "main", main)
-    assert cli(*command, tmp_path).exit_code == 0
-    assert cli(*command, "--cameras", tmp_path).exit_code == 0
+    cli(*command, tmp_path)
+    cli(*command, "--cameras", tmp_path)
     both = ["--cameras", f"ours={tmp_path}", "--cameras", f"theirs:carwc={tmp_path}"]
-    assert cli(*command, tmp_path, *both).exit_code == 0
+    cli(*command, tmp_path, *both)
     choice = gui_app.CameraChoice
     assert opened == [
         (tmp_path, []),
@@ -89,14 +87,13 @@ def test_a_path_opens_the_window(cli, qapp, monkeypatch, tmp_path, command):
         (tmp_path, [choice(tmp_path, name="ours"), choice(tmp_path, "carwc", "theirs")]),
     ]
     assert fields == [None, None, None]  # the dataset's own
-    assert cli(*command, "--cameras", f"ours={tmp_path / 'nowhere'}").exit_code == 2
-    assert cli("open", tmp_path, "--field", "tennis").exit_code == 0
+    cli(*command, "--cameras", f"ours={tmp_path / 'nowhere'}", code=2)
+    cli("open", tmp_path, "--field", "tennis")
     assert fields[3:] == ["tennis"]
 
 
 def test_a_path_that_does_not_exist_is_one_line(cli):
-    done = cli("open", "/no/such/folder")
-    assert done.exit_code == 2
+    done = cli("open", "/no/such/folder", code=2)
     assert done.stderr.strip() == "procc-annotator: /no/such/folder: does not exist"
 
 
@@ -209,8 +206,7 @@ def test_two_processes_write_the_same_files(cli, dataset, tmp_path, command, fra
             "compare": (dataset.cameras, f"other={cameras}", "-o", out / "c.json"),
             "agree": (dataset.annotations, second, "-o", out / "a.json"),
         }[command]
-        done = cli(command, *arguments, "--workers", workers)
-        assert done.exit_code == 0, done.output
+        cli(command, *arguments, "--workers", workers)
         written.append({path.name: path.read_bytes() for path in out.iterdir()})
     assert written[0] == written[1]
     assert written[0]
@@ -232,15 +228,14 @@ def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader)
         "before": ("release", dataset.root, tmp_path / "out", "--previous", tmp_path),
         "click noise": ("evaluate", annotations, cameras, "--annotation-noise", file),
     }[reader]
-    done = cli(*arguments)
-    assert done.exit_code == 2
+    done = cli(*arguments, code=2)
     assert "is nested too deeply to be read (is it this file?)" in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
 
 def test_a_dataset_with_a_name_as_long_as_it_may_be(cli, dataset, tmp_path):
     place = dataset.root.rename(tmp_path / ("d" * 255))
-    done = cli("check", place)
+    done = cli("check", place, code=None)
     assert done.exit_code in (0, 1), done.output
     assert "Checked" in done.stdout
 
@@ -248,8 +243,7 @@ def test_a_dataset_with_a_name_as_long_as_it_may_be(cli, dataset, tmp_path):
 @pytest.mark.parametrize("out", ["file/below", "d" * 256])
 def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out):
     (tmp_path / "file").write_bytes(b"")
-    done = cli("annotate", dataset.root, tmp_path / out, "--cameras", dataset.cameras)
-    assert done.exit_code == 2
+    done = cli("annotate", dataset.root, tmp_path / out, "--cameras", dataset.cameras, code=2)
     assert done.stderr.splitlines()[-1].startswith(f"procc-annotator: {tmp_path / out}: ")
 
 
@@ -273,7 +267,7 @@ def test_a_stopped_run_goes_on_by_being_run_again(cli, dataset, tmp_path, monkey
             if path.is_file() and ".procc" not in path.parts and path.suffix != ".unfinished"
         }
 
-    assert cli(command, dataset.root, tmp_path / "whole", *options).exit_code == 0
+    cli(command, dataset.root, tmp_path / "whole", *options)
     whole = files(tmp_path / "whole")
     assert len(whole) > 4
     real = os.link, os.replace
@@ -291,18 +285,16 @@ def test_a_stopped_run_goes_on_by_being_run_again(cli, dataset, tmp_path, monkey
         with monkeypatch.context() as patch:
             patch.setattr(os, "link", partial(stop, call=0))
             patch.setattr(os, "replace", partial(stop, call=1))
-            assert cli(command, dataset.root, out, *options).exit_code == 130
+            cli(command, dataset.root, out, *options, code=130)
         assert files(out).items() <= whole.items()
-        assert cli(command, dataset.root, out, *options).exit_code == 0
+        cli(command, dataset.root, out, *options)
         assert files(out) == whole
 
 
 def test_a_removed_command_says_what_to_use(cli):
-    done = cli("gold", "match/", "anna/")
-    assert done.exit_code == 2
+    done = cli("gold", "match/", "anna/", code=2)
     assert "gold was removed: use agree --reference" in done.stderr
-    done = cli("evaluate", "match/", "cameras/", "--table", "x.csv")
-    assert done.exit_code == 2
+    done = cli("evaluate", "match/", "cameras/", "--table", "x.csv", code=2)
     assert "--table was removed: write each run with --output" in done.stderr
 
 

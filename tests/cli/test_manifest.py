@@ -28,7 +28,6 @@ def manifest(cli, data, tmp_path) -> Path:
     path = tmp_path / "manifest.json"
     sources = [f"--cameras={name}={data / 'cameras' / name}" for name in SOURCES]
     done = cli("evaluate", data, *sources, "-t", "5", "-t", "2", "--manifest", path)
-    assert done.exit_code == 0, done.output
     assert f"written: {path}" in done.output
     return path
 
@@ -60,7 +59,7 @@ def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_p
     done = cli("repeat", manifest, "--data", elsewhere)
     assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
     (elsewhere / "runs").mkdir()
-    assert cli("repeat", shutil.copy(manifest, elsewhere / "runs")).exit_code == 0
+    cli("repeat", shutil.copy(manifest, elsewhere / "runs"))
     old = tmp_path / "old.json"
     done = cli("evaluate", elsewhere, elsewhere / "cameras" / "bad", "--recipe", old)
     assert "--recipe is deprecated, use --manifest" in done.stderr
@@ -76,8 +75,7 @@ def test_what_differs_is_listed(cli, manifest, data, tmp_path):
     text = (Path("resources") / "field" / "soccer.toml").read_text()
     (data / "field.toml").write_text(text.replace("105", "104", 1))
     out = tmp_path / "differences.json"
-    done = cli("repeat", manifest, "--data", data, "--output", out)
-    assert done.exit_code == 1, done.output
+    done = cli("repeat", manifest, "--data", data, "--output", out, code=1)
     lines = json.loads(out.read_text())["differences"]
     assert {
         "missing: 00001.json",
@@ -96,10 +94,9 @@ def test_the_least_change_of_a_metric_is_a_difference(cli, manifest, data):
     content = json.loads(manifest.read_text())
     content["metrics"]["evaluations"][1]["summary"]["5"]["mean_jac"] *= 1 + 1e-11
     manifest.write_text(json.dumps(content))
-    done = cli("repeat", manifest, "--data", data)
+    done = cli("repeat", manifest, "--data", data, code=1)
     (line,) = done.stdout.splitlines()
     assert line.startswith("other metric: evaluations bad soccernet soccer summary 5 mean_jac: ")
-    assert done.exit_code == 1
 
 
 def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(cli, data, tmp_path):
@@ -119,7 +116,6 @@ def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(cl
         "--planar-only",
     )
     done = cli("report", data, *sources, *asked, "--manifest", own, "-o", tex)
-    assert done.exit_code == 0, done.output
     assert "% manifest: own.json" in tex.read_text()
     found = json.loads(own.read_text())
     assert "tags.csv" in found["inputs"]
@@ -127,7 +123,7 @@ def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(cl
     done = cli("repeat", own, "--data", data)
     assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
     tags.write_text(tags.read_text() + "\n")
-    assert cli("repeat", own, "--data", data).stdout == "other content: tags.csv\n"
+    assert cli("repeat", own, "--data", data, code=1).stdout == "other content: tags.csv\n"
 
 
 @pytest.mark.parametrize(
@@ -142,8 +138,8 @@ def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(cl
 def test_what_is_no_manifest(cli, tmp_path, content, says):
     path = tmp_path / "r.json"
     path.write_text(content)
-    done = cli("repeat", path)
-    assert (done.exit_code, len(done.stderr.splitlines())) == (2, 1)
+    done = cli("repeat", path, code=2)
+    assert len(done.stderr.splitlines()) == 1
     assert says in done.stderr
 
 
@@ -160,8 +156,7 @@ def test_what_is_no_manifest(cli, tmp_path, content, says):
 )
 def test_a_manifest_that_is_refused(cli, manifest, data, change, says):
     manifest.write_text(json.dumps(json.loads(manifest.read_text()) | change))
-    done = cli("repeat", manifest, "--data", data)
-    assert done.exit_code == 2
+    done = cli("repeat", manifest, "--data", data, code=2)
     assert says in " ".join(done.stderr.split())
 
 
@@ -170,7 +165,7 @@ def test_a_manifest_writes_nothing_among_the_data(cli, manifest, data):
     content["options"] |= {"output": ["00001.json"], "over_time_output": ["t.csv"]}
     manifest.write_text(json.dumps(content))
     before = {path: path.read_bytes() for path in data.rglob("*") if path.is_file()}
-    assert cli("repeat", manifest, "--data", data).exit_code == 0
+    cli("repeat", manifest, "--data", data)
     assert {path: path.read_bytes() for path in data.rglob("*") if path.is_file()} == before
 
 
@@ -179,13 +174,13 @@ def test_fits_landmarks_and_views_are_inputs(cli, data, tmp_path):
     (data / "landmarks.json").write_text(json.dumps({"landmarks": [known]}))
     (data / "views.csv").write_text("frame,instant,view\n00001,1,main\n")
     fits, path = data / "fits", tmp_path / "manifest.json"
-    assert cli("calibrate", data, fits, "--model", "H").exit_code == 0
-    assert cli("evaluate", data, fits, "--manifest", path).exit_code == 0
+    cli("calibrate", data, fits, "--model", "H")
+    cli("evaluate", data, fits, "--manifest", path)
     inputs = json.loads(path.read_text())["inputs"].keys()
     assert {"landmarks.json", "views.csv", "fits/calibration.csv"} < inputs
     known["position"] = [61.2, -45.0, -29.4]
     (data / "landmarks.json").write_text(json.dumps({"landmarks": [known]}))
     (fits / "calibration.csv").unlink()
-    done = cli("repeat", path, "--data", data)
+    done = cli("repeat", path, "--data", data, code=1)
     assert "other content: landmarks.json" in done.stdout
     assert "missing: fits/calibration.csv" in done.stdout

@@ -1,6 +1,5 @@
 """``procc-annotator propose``: what becomes of proposals, whoever makes them."""
 
-import csv
 import json
 import shutil
 from collections.abc import Iterable
@@ -17,7 +16,7 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from tests.cli.conftest import PANS, SIZE, Dataset, write_dataset
+from tests.cli.conftest import PANS, SIZE, Dataset, rows_in, write_dataset
 
 NAMES = ["1", "2", "3", "10", "11"]
 POSITION = (0.0, 60.0, -14.0)
@@ -82,8 +81,7 @@ def none() -> Proposal:
 
 
 def table(out: Path) -> dict[str, dict[str, str]]:
-    with (out / "proposals.csv").open(newline="") as stream:
-        return {row["frame"]: row for row in csv.DictReader(stream)}
+    return {row["frame"]: row for row in rows_in(out / "proposals.csv")}
 
 
 def files(out: Path) -> list[str]:
@@ -95,7 +93,6 @@ def test_sure_cameras_unsure_ones_and_none(cli, bare, pretend, fits, tmp_path):
     pretend([*said, none(), none(), none()])
     out = tmp_path / "out"
     done = cli("propose", bare.root, out)
-    assert done.exit_code == 0, done.output
     assert "1 sure, 1 unsure, 3 none" in done.stdout
     assert "too little in sight" in done.stdout
     assert files(out) == ["camera_1.json", "proposals.csv", "unsure/camera_2.json"]
@@ -117,11 +114,10 @@ def test_annotated_frames_are_passed_over(cli, dataset, pretend, fits, tmp_path)
     (dataset.annotations / "10.json").write_text("{}")
     pretend([proposal(fits["3"], "sure"), none()])
     done = cli("propose", dataset.root, tmp_path / "out")
-    assert done.exit_code == 0, done.output
     assert "passed over: 3 annotated frames (--all)" in done.stdout
     assert list(table(tmp_path / "out")) == ["3", "10"]
     pretend([none()] * 5)
-    assert cli("propose", dataset.root, tmp_path / "all", "--all").exit_code == 0
+    cli("propose", dataset.root, tmp_path / "all", "--all")
     assert list(table(tmp_path / "all")) == NAMES
 
 
@@ -130,8 +126,7 @@ def test_a_damaged_annotation_is_named_and_its_frame_passed_over(
 ):
     (bare.annotations / "2.json").write_text("{")
     pretend([proposal(fits[name], "sure") for name in NAMES if name != "2"])
-    done = cli("propose", bare.root, tmp_path / "out")
-    assert done.exit_code == 1
+    done = cli("propose", bare.root, tmp_path / "out", code=1)
     assert "passed over: 1 frame whose annotation cannot be read (--all)" in done.stdout
     assert "2.json" in done.stderr
     assert "2" not in table(tmp_path / "out")
@@ -143,7 +138,6 @@ def test_sure_frames_tell_the_others_where_the_camera_stands(cli, bare, pretend,
     finder = pretend([*first, proposal(fits["10"], "sure"), none()])
     out = tmp_path / "out"
     done = cli("propose", bare.root, out)
-    assert done.exit_code == 0, done.output
     assert finder.known[:5] == [()] * 5
     for known in finder.known[5:]:
         (position,) = known
@@ -163,8 +157,7 @@ def test_known_positions(cli, bare, pretend, tmp_path, given):
         known = tmp_path / "positions.csv"
         known.write_text("position,x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\na,0,60,-14,.1,.2,.1\n")
     finder = pretend([none()] * 5)
-    done = cli("propose", bare.root, tmp_path / "out", "--known-positions", known)
-    assert done.exit_code == 0, done.output
+    cli("propose", bare.root, tmp_path / "out", "--known-positions", known)
     for told in finder.known:
         (position,) = told
         assert position.position_m == pytest.approx(POSITION)
@@ -180,12 +173,12 @@ def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path):
         ("x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\n", "holds no position"),
     ):
         table_file.write_text(text)
-        done = cli("propose", bare.root, tmp_path / "out", "--known-positions", table_file)
-        assert done.exit_code == 2
+        done = cli("propose", bare.root, tmp_path / "out", "--known-positions", table_file, code=2)
         assert said in done.stderr
     np.save(tmp_path / "1.npy", np.eye(3))
-    done = cli("propose", bare.root, tmp_path / "out", "--known-positions", tmp_path / "1.npy")
-    assert done.exit_code == 2
+    done = cli(
+        "propose", bare.root, tmp_path / "out", "--known-positions", tmp_path / "1.npy", code=2
+    )
     assert "holds no camera with a position" in done.stderr
     assert not finder.known
 
@@ -193,8 +186,7 @@ def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path):
 def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, bare, pretend, tmp_path):
     (bare.root / "2.jpg").write_bytes(b"no picture")
     pretend([none()] * 4)
-    done = cli("propose", bare.root, tmp_path / "out")
-    assert done.exit_code == 1
+    done = cli("propose", bare.root, tmp_path / "out", code=1)
     assert "0 sure, 0 unsure, 4 none" in done.stdout
     assert done.stderr.startswith("unreadable: ")
     assert table(tmp_path / "out")["2"]["state"] == "unreadable"
@@ -203,13 +195,11 @@ def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, bare, pretend, 
 def test_nothing_is_replaced_that_nobody_asked_to_replace(cli, bare, pretend, fits, tmp_path):
     out = tmp_path / "out"
     pretend([proposal(fits["1"], "sure"), *[none()] * 4])
-    assert cli("propose", bare.root, out).exit_code == 0
+    cli("propose", bare.root, out)
     pretend([none()] * 5)
-    done = cli("propose", bare.root, out)
-    assert done.exit_code == 2
+    done = cli("propose", bare.root, out, code=2)
     assert "--overwrite to replace them" in done.stderr
     done = cli("propose", bare.root, out, "--overwrite")
-    assert done.exit_code == 0, done.output
     assert files(out) == ["proposals.csv"]  # what was sure before is none now
 
 
@@ -223,8 +213,7 @@ def test_cameras_in_folders_of_out_are_not_replaced_either(cli, bare, pretend, t
         theirs = out / place
         theirs.parent.mkdir(parents=True)
         theirs.write_text("{}")
-        done = cli("propose", match, out)
-        assert done.exit_code == 2
+        done = cli("propose", match, out, code=2)
         assert "--overwrite to replace them" in done.stderr
         assert theirs.read_text() == "{}"
 
@@ -240,8 +229,7 @@ def test_what_makes_no_sense(cli, dataset, tmp_path):
         ),
         ((dataset.cameras, tmp_path / "out"), "no picture in"),
     ):
-        done = cli("propose", *wrong)
-        assert done.exit_code == 2, done.output
+        done = cli("propose", *wrong, code=2)
         assert said in done.stderr
     assert not (tmp_path / "out").exists()
 
@@ -256,20 +244,17 @@ def test_an_interrupted_run_says_what_is_there_and_goes_on(cli, bare, monkeypatc
         return proposal(fits["1"], "sure")
 
     monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", stopped)
-    done = cli("propose", bare.root, tmp_path / "out")
-    assert done.exit_code == 130
+    done = cli("propose", bare.root, tmp_path / "out", code=130)
     assert "interrupted: 2 sure cameras of 5 frames written" in done.stderr
     assert "again with --resume" in done.stderr
     cameras = ["camera_1.json", "camera_2.json"]
     assert files(tmp_path / "out") == [".propose.unfinished", *cameras]
-    assert "--resume goes on with it" in cli("propose", bare.root, tmp_path / "out").stderr
+    assert "--resume goes on with it" in cli("propose", bare.root, tmp_path / "out", code=2).stderr
     done = cli("propose", bare.root, tmp_path / "out", "--resume")
-    assert done.exit_code == 0, done.output
     assert len(calls) == 3 + 3  # two were kept
     again = cli("propose", bare.root, tmp_path / "out", "--resume")
-    assert again.exit_code == 0
     assert "already complete: proposals.csv is there" in again.stdout
-    assert cli("propose", bare.root, tmp_path / "one").exit_code == 0
+    cli("propose", bare.root, tmp_path / "one")
     assert files(tmp_path / "out") == files(tmp_path / "one")
     for file in (tmp_path / "one").glob("camera_*"):
         assert (tmp_path / "out" / file.name).read_bytes() == file.read_bytes()
@@ -282,7 +267,7 @@ REAL = Path(__file__).resolve().parents[3] / "shared" / "data" / "foreign"
 
 def as_labelme(cli, dataset, folder: Path, label_of) -> None:
     """The dataset with other labels; those that become None are left out."""
-    assert cli("convert", dataset.root, folder, "--to", "labelme").exit_code == 0
+    cli("convert", dataset.root, folder, "--to", "labelme")
     for file in folder.glob("*.json"):
         content = json.loads(file.read_text())
         for shape in content["shapes"]:
@@ -294,7 +279,7 @@ def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path):
     names = [e.name.strip() for e in load_field(None).elements]
     as_labelme(cli, dataset, tmp_path / "set", lambda name: f"x{names.index(name)}")
     cameras, labels = dataset.cameras, tmp_path / "labels.toml"
-    done = cli("propose-map", tmp_path / "set", "--cameras", cameras, "-o", labels)
+    done = cli("propose-map", tmp_path / "set", "--cameras", cameras, "-o", labels, code=None)
     assert done.exit_code in (0, 1), done.stderr
     assert "by geometry alone" in done.stdout
     lines = [line for line in labels.read_text().splitlines() if line.startswith('"x')]
@@ -302,8 +287,7 @@ def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path):
     for line in lines:
         label, name = (part.strip('"') for part in line.split(" = "))
         assert names[int(label[1:])] == name
-    used = cli("check", tmp_path / "set", "--map", labels, "--no-line-evidence")
-    assert used.exit_code == 0, used.stderr
+    cli("check", tmp_path / "set", "--map", labels, "--no-line-evidence")
 
 
 def test_labels_that_are_called_alike_need_no_camera(cli, dataset, tmp_path):
@@ -313,16 +297,13 @@ def test_labels_that_are_called_alike_need_no_camera(cli, dataset, tmp_path):
 
     as_labelme(cli, dataset, tmp_path / "set", label)
     labels = tmp_path / "labels.toml"
-    done = cli("propose-map", tmp_path / "set", "-o", labels)
+    done = cli("propose-map", tmp_path / "set", "-o", labels, code=None)
     assert done.exit_code in (0, 1), done.stderr
     text = labels.read_text()
     assert '"halfway-line" = "Middle line"' in text
     assert '"penalty area left main" = "Big rect. left main"' in text
-    own = cli("evaluate", dataset.annotations, dataset.cameras, "-o", tmp_path / "own.json")
-    mapped = cli(
-        "evaluate", tmp_path / "set", dataset.cameras, "--map", labels, "-o", tmp_path / "s.json"
-    )
-    assert own.exit_code == mapped.exit_code
+    cli("evaluate", dataset.annotations, dataset.cameras, "-o", tmp_path / "own.json")
+    cli("evaluate", tmp_path / "set", dataset.cameras, "--map", labels, "-o", tmp_path / "s.json")
     scores = [
         json.loads((tmp_path / name).read_text())["summary"] for name in ("own.json", "s.json")
     ]
@@ -361,13 +342,11 @@ def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path):
         (folder / f"{number}.json").write_text(json.dumps(tennis_frame(number)))
     labels = folder / "labels.toml"
     done = cli("propose-map", folder, "--field", "tennis", "-o", labels)
-    assert done.exit_code == 0, done.stderr
     assert done.stdout.count("sure") == 5
     text = labels.read_text()
     assert '"baseline" = { top_down = ["Baseline left", "Baseline right"] }' in text
     assert "left_to_right" in text
     found = cli("calibrate", folder, tmp_path / "cameras", "--field", "tennis", "-t", "2")
-    assert found.exit_code == 0, found.stderr
     assert "4 cameras" in found.stdout
 
 
@@ -376,8 +355,7 @@ def test_names_of_another_sport_are_told(cli, tmp_path):
     done = cli("propose-map", tmp_path / "0.json", "-o", tmp_path / "labels.toml")
     assert "--field tennis" in done.stderr
     assert "open" in done.stdout
-    again = cli("propose-map", tmp_path / "0.json", "-o", tmp_path / "labels.toml")
-    assert again.exit_code == 2
+    again = cli("propose-map", tmp_path / "0.json", "-o", tmp_path / "labels.toml", code=2)
     assert "exists already" in again.stderr
 
 
@@ -390,8 +368,7 @@ def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_pa
         "categories": [{"id": 1, "name": "pitch", "keypoints": [str(i) for i in range(32)]}],
     }
     (tmp_path / "k.json").write_text(json.dumps(content))
-    done = cli("propose-map", tmp_path / "k.json", "-o", tmp_path / "labels.toml")
-    assert done.exit_code == 2
+    done = cli("propose-map", tmp_path / "k.json", "-o", tmp_path / "labels.toml", code=2)
     assert '"pitch" = { template = "soccer_32" }' in done.stderr
     assert not (tmp_path / "labels.toml").exists()
 
@@ -402,7 +379,6 @@ def test_a_public_tennis_set(cli, tmp_path, name):
     labels = tmp_path / "labels.toml"
     source = REAL / f"tennis_cvat_{name}.xml"
     done = cli("propose-map", source, "--field", "tennis", "-o", labels)
-    assert done.exit_code == 0, done.stderr
     assert done.stdout.count("sure ") == 5
     text = labels.read_text()
     assert '"service-line" = { top_down = ["Service line left", "Service line right"] }' in text
@@ -415,6 +391,6 @@ def test_a_field_without_straight_lines(cli, dataset, tmp_path, monkeypatch):
     as_labelme(cli, dataset, tmp_path / "set", str.lower)
     rings = replace(field, elements=round_ones, symmetries=())
     monkeypatch.setattr("procc_annotator.cli.propose_map.chosen_field", lambda *_: rings)
-    done = cli("propose-map", tmp_path / "set", "-o", tmp_path / "labels.toml")
+    done = cli("propose-map", tmp_path / "set", "-o", tmp_path / "labels.toml", code=None)
     assert done.exit_code in (0, 1), done.stderr
     assert '"circle central" = "Circle central"' in (tmp_path / "labels.toml").read_text()

@@ -90,7 +90,6 @@ def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tm
         ["report", dataset.root, "--cameras", cameras, "-o", tmp_path / "report.html"],
     ):
         done = cli(*command)
-        assert done.exit_code == 0, (command, done.output)
         assert "passed over: " in done.stderr, command
         assert f"line {len(records)}" in done.stderr, command
 
@@ -98,8 +97,7 @@ def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tm
 def test_one_file_of_cameras_that_cannot_be_read_says_why(cli, dataset, tmp_path):
     cameras = tmp_path / "cameras.mat"
     cameras.write_bytes(b"MATLAB 5.0 MAT-file" + bytes(200))
-    done = cli("evaluate", dataset.annotations, cameras)
-    assert done.exit_code == 2
+    done = cli("evaluate", dataset.annotations, cameras, code=2)
     assert "cameras.mat: " in done.stderr
     assert "has the name of an annotation" not in done.stderr
 
@@ -148,7 +146,7 @@ def test_a_bare_homography_is_not_taken_for_one_of_another_sport(cli, dataset, t
         "report": (root, "--cameras", f"bare={bare}", "-o", tmp_path / "report.json"),
         "evaluate": (dataset.annotations, bare),
     }
-    done = cli(command, *arguments[command], "--field", "futsal")
+    done = cli(command, *arguments[command], "--field", "futsal", code=None)
     assert done.exit_code in (1, 2)
     assert "nothing says which ground it is of" in done.stderr
     assert "this is Futsal" in done.stderr
@@ -161,7 +159,6 @@ def test_a_damaged_file_of_many_cameras_is_told_by_itself(cli, dataset, tmp_path
         ("cut.json", b'{"1": {'),
     ):
         (tmp_path / name).write_bytes(content)
-        done = cli("evaluate", dataset.annotations, tmp_path / name)
-        assert done.exit_code == 2
+        done = cli("evaluate", dataset.annotations, tmp_path / name, code=2)
         assert done.stderr.startswith(f"procc-annotator: {tmp_path / name}: ")
         assert len(done.stderr.splitlines()) == 1
