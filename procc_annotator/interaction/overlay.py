@@ -34,6 +34,7 @@ from procc_annotator.interaction.overlay_lines import (
 )
 from procc_annotator.interaction.overlay_predictions import finding_signs, found_elements
 from procc_annotator.interaction.overlay_primitives import (
+    EMPTY_OVERLAY,
     NO_DRAFT_STATE,
     NO_LINE,
     NO_POINTS,
@@ -141,19 +142,6 @@ def author_marks(
     yield PointMarks(_places(unknown, size), "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
 
 
-def landing(draft: Draft | None) -> FloatArray:
-    """Return where snapping would put a click now, (1, 2), or nowhere, (0, 2)."""
-    if draft is None or draft.landing is None:
-        return NO_POINTS
-    return np.array([draft.landing], dtype=np.float64)
-
-
-def chosen_points(chosen: frozenset[PointRef], *drawn: Drawn) -> FloatArray:
-    """The selected points of confirmed and unconfirmed elements, (N, 2)."""
-    parts = [group.point(ref) for ref in sorted(chosen) for group in drawn if ref[0] in group]
-    return joined_points(parts)
-
-
 def _keys(annotation: FrameAnnotation) -> Iterable[PointKey]:
     return [(p.u, p.v) for polyline in annotation.polylines for p in polyline.points]
 
@@ -175,7 +163,7 @@ class OverlayContent:
     """Content of an overlay.
 
     Attributes:
-        annotation: of the frame, gestures under way included.
+        annotation: of the frame.
         size: (width, height) of the evaluation; the measurement's px belong to it.
         field: names, colours.
         picture_size: (width, height) of the picture on screen.
@@ -183,13 +171,10 @@ class OverlayContent:
             alone shows the projected field.
         highlight: class under the cursor here or in the field map.
         selection: selected class, or class and point.
-        draft: polyline being drawn.
-        pointer: cursor in picture px; it has the highlighted class's title.
         with_projection: False hides everything that depends on the camera (blind mode).
         colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points
             by how they came to be, or through whom; lines by class).
         selected_points: all chosen points, when there are several.
-        band: corners of the rectangle that chooses points, picture px.
         origins: of the points, for ``origin`` and ``annotator``.
         other: what a second annotator clicked in this frame.
         paint: where the camera shows the borders of painted lines (`metrics.projection`); None:
@@ -197,7 +182,7 @@ class OverlayContent:
         ellipses: how surely the view shows the landmarks.
         found: of the label check, the surest first; None: it is not asked, and its groups are
             left out.
-        dragged: elements that a held mouse button moves: `dragged_overlay` draws them.
+        dragged: elements that the mouse drags: `gesture_overlay` draws them.
     """
 
     annotation: FrameAnnotation
@@ -208,12 +193,9 @@ class OverlayContent:
     score: FrameScore | None = None
     highlight: str | None = None
     selection: str | PointRef | None = None
-    draft: Draft | None = None
-    pointer: tuple[float, float] | None = None
     with_projection: bool = True
     colour_by: ColourBy = "criterion"
     selected_points: frozenset[PointRef] = frozenset()
-    band: Corners | None = None
     origins: Origins | None = None
     other: FrameAnnotation | None = None
     paint: ProjectedField | None = None
@@ -242,6 +224,23 @@ class OverlayContent:
         return self.selected_points.union(single)
 
 
+@dataclass(frozen=True, slots=True)
+class GestureContent:
+    """What may change with every move of the mouse.
+
+    Attributes:
+        annotation: of the frame, as if the mouse button were released now.
+        draft: polyline being drawn.
+        pointer: cursor in picture px; it has the highlighted class's title.
+        band: corners of the rectangle that chooses points, picture px.
+    """
+
+    annotation: FrameAnnotation
+    draft: Draft | None = None
+    pointer: tuple[float, float] | None = None
+    band: Corners | None = None
+
+
 class OverlayBuilder:
     """Builds overlays one after the other; what is drawn for the same reason is not made again."""
 
@@ -256,15 +255,12 @@ class OverlayBuilder:
         self._paint = LastCallCache(_all(paint_strokes))
         self._unconfirmed = LastCallCache(_all(unconfirmed_strokes))
         self._annotated = LastCallCache(_annotated_strokes)
-        self._in_hand = LastCallCache(_strokes_in_hand)
         self._judged = LastCallCache(_all(judged_marks))
         self._plain = LastCallCache(_all(plain_marks))
         self._unjudged = LastCallCache(_unscored_marks)
         self._chosen = LastCallCache(_chosen_marks)
-        self._landing = LastCallCache(_draft_marks)
         self._signs = LastCallCache(finding_signs)
         self._distances = LastCallCache(_distance_labels)
-        self._pointer = LastCallCache(_pointer_label)
 
     def build(self, shown: OverlayContent) -> Overlay:
         """Draw an annotation and what a camera makes of it."""
@@ -281,9 +277,7 @@ class OverlayBuilder:
             at = found_elements(shown.found, annotation)
             ring, signs = self._signs(shown.found, at, shown.picture_size, shown.field, looked_at)
             marks, labels = (*marks, ring), (*labels, *signs)
-        pointer = None if shown.dragged else shown.pointer
-        carried = self._pointer(shown.field, shown.highlight, shown.draft, pointer)
-        return Overlay(strokes, marks, (*labels, carried))  # what is carried above everything
+        return Overlay(strokes, marks, labels)
 
     def _strokes(
         self, shown: OverlayContent, verdict: ScoredFrame, by_class: bool
@@ -300,8 +294,6 @@ class OverlayBuilder:
         yield from self._paint(paint, score, shown.size, shown.picture_size)
         yield from self._unconfirmed(waiting)
         yield from self._annotated(drawn, verdict, shown.field if by_class else None)
-        goes_on = (drawn, waiting) if shown.draft is not None else ()
-        yield from self._in_hand(shown.draft, goes_on, shown.field, shown.band)
 
     def _marks(
         self, shown: OverlayContent, verdict: ScoredFrame, by_class: bool
@@ -315,7 +307,6 @@ class OverlayBuilder:
         else:
             yield from _NO_ORIGINS
         yield from self._unjudged(self._waiting, self._second)
-        yield from self._landing(shown.draft, shown.field)
         yield self._chosen(shown.chosen, drawn, self._waiting)
 
     def _draw(self, annotation: FrameAnnotation, size: Size, other: FrameAnnotation | None) -> None:
@@ -330,12 +321,42 @@ class OverlayBuilder:
             self._second = Drawn(other if other is not None else _UNKNOWN_AUTHOR, size)
 
 
-def dragged_overlay(shown: OverlayContent) -> Overlay:
-    """Draw the dragged elements, over what `OverlayBuilder` draws of everything else."""
+def gesture_overlay(shown: OverlayContent, gesture: GestureContent) -> Overlay:
+    """Draw dragged elements, the draft, the band and the title at the cursor.
+
+    All of it lies above the overlay of ``shown``.
+    """
+    strokes: list[Strokes] = []
+    marks: list[PointMarks] = []
+    labels: list[Labels] = []
+    if shown.dragged:
+        dragged = _dragged_overlay(shown, gesture.annotation)
+        strokes += dragged.strokes
+        marks += dragged.marks
+        labels += dragged.labels
+    if (draft := gesture.draft) is not None:
+        known = (
+            gesture.annotation.get(draft.class_name),
+            gesture.annotation.get_unconfirmed(draft.class_name),
+        )
+        drawn = [Drawn(FrameAnnotation((p,)), shown.picture_size) for p in known if p is not None]
+        strokes += draft_strokes(draft, drawn, shown.field)
+        marks += _draft_marks(draft, shown.field)
+    if gesture.band is not None:
+        strokes += band_strokes(gesture.band)
+    name, at = shown.highlight, gesture.pointer
+    if draft is not None:
+        name, at = draft.class_name, draft.cursor
+    if name is not None and at is not None:
+        labels.append(_pointer_label(shown.field, name, at, draft))
+    if not (strokes or marks or labels):
+        return EMPTY_OVERLAY
+    return Overlay(tuple(strokes), tuple(marks), tuple(labels))
+
+
+def _dragged_overlay(shown: OverlayContent, moved: FrameAnnotation) -> Overlay:
     verdict, size, names = shown.verdict, shown.picture_size, shown.dragged
-    annotation = FrameAnnotation(
-        tuple([p for p in shown.annotation.polylines if p.class_name in names])
-    )
+    annotation = FrameAnnotation(tuple([p for p in moved.polylines if p.class_name in names]))
     drawn = Drawn(annotation, size)
     highlight = shown.highlight if shown.highlight in names else None
     selected = shown.selected_class if shown.selected_class in names else None
@@ -356,15 +377,14 @@ def dragged_overlay(shown: OverlayContent) -> Overlay:
             marks.append(PointMarks(line.points, "handle", colour, tones.HANDLE_SIZE))
         elif status == "missed":
             marks.append(PointMarks(line.points, "ring", tones.MISSED, tones.HANDLE_SIZE))
-    marks.append(_chosen_marks(shown.chosen, drawn, drawn))
+    marks.append(_chosen_marks(shown.chosen, drawn))
     labels: tuple[Labels, ...] = ()
     if shown.found is not None:
         looked_at = frozenset((shown.selected_class, shown.highlight))
         ring, labels = finding_signs(shown.found, annotation, size, shown.field, looked_at)
         marks.append(ring)
-    carried = _pointer_label(shown.field, shown.highlight, None, shown.pointer)
     strokes = [s for s in halos(drawn, verdict, highlight, selected) if len(s.segments)]
-    return Overlay((*strokes, *lines), tuple(marks), (*labels, carried))
+    return Overlay((*strokes, *lines), tuple(marks), labels)
 
 
 def _all(make: Callable[P, Iterable[T]]) -> Callable[P, tuple[T, ...]]:
@@ -389,12 +409,6 @@ def _annotated_strokes(
     )
 
 
-def _strokes_in_hand(
-    draft: Draft | None, drawn: tuple[Drawn, ...], field: Field, band: Corners | None
-) -> tuple[Strokes, ...]:
-    return (*draft_strokes(draft, drawn, field), *band_strokes(band))
-
-
 def _by_origin(
     annotation: FrameAnnotation, size: Size, origins: Origins | None, colour_by: ColourBy
 ) -> tuple[PointMarks, ...]:
@@ -414,16 +428,19 @@ def _unscored_marks(waiting: Drawn, second: Drawn) -> tuple[PointMarks, ...]:
     )
 
 
-def _draft_marks(draft: Draft | None, field: Field) -> tuple[PointMarks, ...]:
+def _draft_marks(draft: Draft, field: Field) -> tuple[PointMarks, ...]:
     colour = draft_colour(draft, field)
+    landing = NO_POINTS if draft.landing is None else np.array([draft.landing], dtype=np.float64)
     return (
         PointMarks(draft_points(draft), "handle", colour, tones.HANDLE_SIZE),
-        PointMarks(landing(draft), "ring", tones.LANDING, tones.LANDING_SIZE),
+        PointMarks(landing, "ring", tones.LANDING, tones.LANDING_SIZE),
     )
 
 
-def _chosen_marks(chosen: frozenset[PointRef], drawn: Drawn, waiting: Drawn) -> PointMarks:
-    points = chosen_points(chosen, drawn, waiting)
+def _chosen_marks(chosen: frozenset[PointRef], *drawn: Drawn) -> PointMarks:
+    """The selected points of confirmed and unconfirmed elements."""
+    parts = [group.point(ref) for ref in sorted(chosen) for group in drawn if ref[0] in group]
+    points = joined_points(parts)
     return PointMarks(points, "ring", tones.HALO, tones.SELECTED_POINT_SIZE)
 
 
@@ -431,21 +448,12 @@ def _distance_labels(verdict: ScoredFrame, selected: str | None) -> Labels:
     return Labels(*verdict.labelled(selected), tones.LABEL)
 
 
-def _pointer_label(
-    field: Field,
-    highlight: str | None,
-    draft: Draft | None,
-    pointer: tuple[float, float] | None,
-) -> Labels:
+def _pointer_label(field: Field, name: str, at: tuple[float, float], draft: Draft | None) -> Labels:
     """The class the next click belongs to, or the one under the cursor, at the cursor."""
-    name, at = (draft.class_name, draft.cursor) if draft is not None else (highlight, pointer)
-    if name is None or at is None:
-        return Labels(NO_POINTS, (), tones.LABEL)
     text = tr(field.title_of(name))
     place = np.array([at], dtype=np.float64)
     if draft is None or draft.hand is NO_DRAFT_STATE:
         return Labels(place, (text,), tones.LABEL, carried=True)
     signs = CursorSigns(draft_colour(draft, field), draft.hand.snap)
-    return Labels(
-        place, (f"{text}  {draft_words(draft.hand)}",), tones.LABEL, hand=signs, carried=True
-    )
+    text = f"{text}  {draft_words(draft.hand)}"
+    return Labels(place, (text,), tones.LABEL, hand=signs, carried=True)

@@ -88,14 +88,10 @@ def second_strokes(second: Drawn) -> Iterable[Strokes]:
     yield Strokes(second.all_segments, tones.SECOND, width, layer="second")
 
 
-def band_strokes(
-    band: tuple[tuple[float, float], tuple[float, float]] | None,
-) -> Iterable[Strokes]:
+def band_strokes(band: tuple[tuple[float, float], tuple[float, float]]) -> Iterable[Strokes]:
     """The rectangle that chooses points."""
-    lines = NO_SEGMENTS
-    if band is not None:
-        (x0, y0), (x1, y1) = band
-        lines = np.array([[x0, y0, x1, y0], [x1, y0, x1, y1], [x1, y1, x0, y1], [x0, y1, x0, y0]])
+    (x0, y0), (x1, y1) = band
+    lines = np.array([[x0, y0, x1, y0], [x1, y0, x1, y1], [x1, y1, x0, y1], [x0, y1, x0, y0]])
     yield Strokes(lines, tones.OUTLINE, tones.ERROR_VECTOR_WIDTH + 2, layer="band")
     yield Strokes(lines, tones.HALO, tones.ERROR_VECTOR_WIDTH, tones.CURSOR_LINE_DASH, "band")
 
@@ -150,33 +146,29 @@ def _class_strokes(line: DrawnLine, colour: str) -> Strokes:
     return Strokes(line.segments, colour, tones.ANNOTATION_WIDTH, (), "annotation")
 
 
-def draft_strokes(draft: Draft | None, drawn: Sequence[Drawn], field: Field) -> Iterable[Strokes]:
+def draft_strokes(draft: Draft, drawn: Sequence[Drawn], field: Field) -> Iterable[Strokes]:
     """The polyline under way from where it continues one of those ``drawn``, and its line to the
     cursor."""
     colour = draft_colour(draft, field)
-    points = draft_points(draft)
-    if draft is not None:
-        ends = (group.points(draft.class_name)[-1:] for group in drawn)
-        points = np.concatenate((*ends, points))
+    ends = (group.points(draft.class_name)[-1:] for group in drawn)
+    points = np.concatenate((*ends, draft_points(draft)))
     lines = np.concatenate((points[:-1], points[1:]), axis=1)
     yield Strokes(lines, tones.OUTLINE, tones.ANNOTATION_WIDTH + 2, layer="draft")
     yield Strokes(lines, colour, tones.ANNOTATION_WIDTH, layer="draft")
     band = NO_SEGMENTS
-    if draft is not None and draft.cursor is not None and len(points):
+    if draft.cursor is not None and len(points):
         band = np.array([[*points[-1], *draft.cursor]])
     yield Strokes(band, colour, tones.ERROR_VECTOR_WIDTH, tones.CURSOR_LINE_DASH, "draft")
 
 
-def draft_points(draft: Draft | None) -> FloatArray:
+def draft_points(draft: Draft) -> FloatArray:
     """The points clicked so far, (N, 2)."""
-    return np.array(draft.points if draft is not None else (), dtype=np.float64).reshape(-1, 2)
+    return np.array(draft.points, dtype=np.float64).reshape(-1, 2)
 
 
-def draft_colour(draft: Draft | None, field: Field) -> str:
+def draft_colour(draft: Draft, field: Field) -> str:
     """The colour of the class that is being drawn."""
-    element = field.element(draft.class_name) if draft is not None else None
-    if draft is None:
-        return tones.HALO
+    element = field.element(draft.class_name)
     return element.colour if element is not None else tones.UNKNOWN_CLASS
 
 

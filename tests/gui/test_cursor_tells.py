@@ -33,7 +33,7 @@ def lined(tmp_path: Path, make_window: MakeWindow) -> MainWindow:
 
 def told(window: MainWindow) -> Labels:
     """What stands at the cursor."""
-    (found,) = [x for x in window.canvas.overlay_item.overlay.labels if x.hand is not None]
+    (found,) = [x for x in window.canvas.overlay_item.gesture.labels if x.hand is not None]
     return found
 
 
@@ -62,7 +62,7 @@ def test_class_points_and_snapping_stand_at_the_cursor(lined: MainWindow) -> Non
     hand.key(Qt.Key.Key_Escape)
     document.selecting.set_mode("edit")
     hand.move(210, 200)
-    assert not [x for x in lined.canvas.overlay_item.overlay.labels if x.hand is not None]
+    assert not [x for x in lined.canvas.overlay_item.gesture.labels if x.hand is not None]
 
 
 def test_texts_over_the_picture_grow_with_the_setting(lined: MainWindow) -> None:

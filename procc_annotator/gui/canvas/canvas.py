@@ -102,7 +102,7 @@ class Canvas(PictureView):
     def _listen(self) -> None:
         document = self._document
         self.shown.changed.connect(self._show_picture)
-        self.editor.changed.connect(self.drawing.refresh)
+        self.editor.changed.connect(self.drawing.refresh_gesture)
         self.drawing.drawn.connect(self._place_loupe)
         self.drawing.told.connect(self._hint_soon.start)
         self.keys.pointed.connect(self.point_at)
@@ -144,7 +144,7 @@ class Canvas(PictureView):
             return
         self.shown.set_picture(state.picture)
         self._show_picture()
-        self.drawing.refresh()  # what the next click does depends on the lines of the picture
+        self.drawing.refresh_gesture()  # the next click snaps to the lines of the picture
 
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
@@ -239,7 +239,7 @@ class Canvas(PictureView):
         """The hand is there now, whichever way it came."""
         self.cursor_px = px
         self.editor.move(px, Modifiers())
-        self.drawing.refresh()
+        self.drawing.refresh_gesture()
         self._say_cursor()
 
     def delete_element(self) -> None:
@@ -301,7 +301,7 @@ class Canvas(PictureView):
         else:
             self.editor.move(px, modifiers_of(event.modifiers()))
         if self.editor.follows_cursor and drawn == self.drawing.count:
-            self.drawing.refresh()
+            self.drawing.refresh_gesture()
         elif drawn == self.drawing.count:
             self._place_loupe()
         if not self.editor.holding:
@@ -356,7 +356,7 @@ class Canvas(PictureView):
             return  # they point; the mouse is elsewhere
         self.cursor_px = None
         self.editor.leave()
-        self.drawing.refresh()
+        self.drawing.refresh_gesture()
         self._say_cursor()
 
     def _make_held_keys(self) -> HeldKeys:
@@ -377,7 +377,7 @@ class Canvas(PictureView):
     def _aside(self, suspended: bool) -> None:
         """Snapping rests."""
         self.editor.hold(Modifiers(ctrl=suspended))
-        self.drawing.refresh()
+        self.drawing.refresh_gesture()
 
     def _blink(self) -> None:
         if self.comparison.hold():

@@ -1,40 +1,92 @@
-"""What is drawn over the picture, and when it is drawn anew."""
+"""The overlays of the canvas: annotation with verdicts, ghosts, other sources, gestures."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.arrays import FloatArray
+from procc_annotator.assist.ghost_points import GhostPoints
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.dataset.records import Origin, PointKey
 from procc_annotator.gui.canvas.camera_hand import CameraHand
-from procc_annotator.gui.canvas.comparison import OtherSources
+from procc_annotator.gui.canvas.comparison import Judged, OtherSources
 from procc_annotator.gui.canvas.corner_legend import CornerLegend
 from procc_annotator.gui.canvas.editor import Editor
-from procc_annotator.gui.canvas.ghost_layer import GhostLayer
 from procc_annotator.gui.canvas.metre_maps import MetreMaps
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
-from procc_annotator.gui.canvas.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
+from procc_annotator.gui.state.checking.line_pixels import Evidence
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.store import When
+from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.gestures import Position
-from procc_annotator.interaction.overlay import ColourBy
-from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+from procc_annotator.interaction.overlay import (
+    ColourBy,
+    GestureContent,
+    LastCallCache,
+    OverlayBuilder,
+    OverlayContent,
+    gesture_overlay,
+)
+from procc_annotator.interaction.overlay_lines import evidence_strips
+from procc_annotator.interaction.overlay_predictions import build_ghosts, with_next
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, NO_POINTS, Overlay
+from procc_annotator.translation import tr
+
+_BY_ORIGIN = ("origin", "annotator")
+
+
+class _Side:
+    """Builds the overlays of one side of the picture; parts that stay the same are not rebuilt."""
+
+    def __init__(self, item: OverlayItem) -> None:
+        self.item = item
+        self._builder = OverlayBuilder()
+        self._remembered = LastCallCache(self._builder.build)
+        self._with_strips = LastCallCache(_with_strips)
+        self._content: OverlayContent | None = None
+
+    def show(
+        self,
+        content: OverlayContent | None,
+        strips: Evidence | None,
+        scale: float,
+        *,
+        everywhere: bool,
+    ) -> None:
+        """Show an overlay, or none; ``strips``: line pixels seen along elements."""
+        self._content, overlay = content, EMPTY_OVERLAY
+        if content is not None:
+            # Origins of points may become known without a signal.
+            by_origin = content.colour_by in _BY_ORIGIN
+            overlay = self._builder.build(content) if by_origin else self._remembered(content)
+            if strips is not None:
+                overlay = self._with_strips(overlay, strips)
+        self.item.set_overlay(overlay, scale, everywhere=everywhere)
+
+    def show_gesture(self, gesture: GestureContent, scale: float) -> None:
+        """Show what the mouse drags or draws."""
+        shown = self._content
+        overlay = EMPTY_OVERLAY if shown is None else gesture_overlay(shown, gesture)
+        self.item.set_gesture(overlay, scale)
 
 
 class OverlayDrawing(QObject):
-    """Draws overlay, ghosts and other sources where they changed; once for all that changes
-    together.
+    """Rebuilds the overlays whose content has changed; once for all changes of one round.
 
     Attributes:
         colour_by: what colours mean.
-        count: how often it drew; shows whether something drew meanwhile.
+        count: number of rebuilds; shows whether something was rebuilt meanwhile.
     """
 
-    drawn = Signal()  # what a loupe shows may be another thing
-    told = Signal()  # and so may be what the next click does
+    drawn = Signal()  # the loupe may have to show another overlay
+    told = Signal()  # the hint on the next click may have changed
 
     def __init__(
         self,
@@ -51,23 +103,23 @@ class OverlayDrawing(QObject):
         """
         Args:
             item, comparison, maps, legend: what it draws with.
-            hand: may carry a camera, which is drawn instead of the ghosts.
-            cursor: where the mouse is, picture px.
+            hand: while it drags a camera, no ghosts are drawn.
+            cursor: position of the mouse, picture px.
         """
         super().__init__(view)
         self._document, self._view = document, view
-        self._item, self._comparison, self._maps, self._legend = item, comparison, maps, legend
+        self._comparison, self._maps, self._legend = comparison, maps, legend
         self._editor, self._hand, self._cursor = editor, hand, cursor
-        self._layer = OverlayLayer(document, editor)
-        self._other_layer = OverlayLayer(document, editor)
-        self._ghosts = GhostLayer(document)
+        self._left, self._right = _Side(item), _Side(comparison.other_side)
+        self._ghosts = LastCallCache(_ghosts_overlay)
         self.colour_by: ColourBy = "criterion"
         self.count = 0
         self._hidden_by_action = self._hidden_by_key = False
-        self._dragged = frozenset[str]()  # elements that are drawn apart
-        self._due = False  # once all that changed was told
+        self._dragged = frozenset[str]()  # elements that only the gesture's overlay shows
+        self._due = False  # to be rebuilt after all watches were notified
         self._everywhere = False  # not only where the overlay differs
         self._soon = after_paint(self, self.refresh)
+        self._gesture_soon = after_paint(self, self.refresh_gesture)
         self._listen()
 
     def _listen(self) -> None:
@@ -90,7 +142,7 @@ class OverlayDrawing(QObject):
         document.landmarks.changed.connect(self.refresh)
         document.landmarks.ellipsesChanged.connect(self.refresh)
 
-    # --- what is wanted -----------------------------------------------------------------------
+    # --- options ------------------------------------------------------------------------------
 
     @property
     def hidden(self) -> bool:
@@ -108,12 +160,12 @@ class OverlayDrawing(QObject):
         self.refresh()
 
     def set_colour_by(self, colour_by: ColourBy) -> None:
-        """What colours mean."""
+        """Choose what colours mean."""
         self.colour_by = colour_by
         self.refresh()
 
     def show_others(self, shown: bool) -> None:
-        """Whether visible sources are drawn next to the active one."""
+        """Choose whether visible sources are drawn next to the active one."""
         self._comparison.others_wanted = shown
         self.refresh()
 
@@ -125,14 +177,23 @@ class OverlayDrawing(QObject):
     # --- drawing ------------------------------------------------------------------------------
 
     def refresh(self) -> None:
-        """Draw the overlay anew where it changed, and say what the next click does."""
+        """Rebuild all overlays after the watches were notified; the hint may change as well."""
         self._due = True
         self._document.store.when_notified(self._refresh_if_due)
 
     def refresh_everywhere(self) -> None:
-        """The same, also where the overlay looks as it did."""
+        """Rebuild all overlays, and paint them also where they have not changed."""
         self._everywhere = True
         self.refresh()
+
+    def refresh_gesture(self) -> None:
+        """Rebuild what the mouse drags or draws; nothing else depends on the cursor."""
+        if self._find_dragged() != self._dragged:
+            self.refresh()
+        elif not self._due:
+            self._show_gesture()
+            self.drawn.emit()
+            self.told.emit()
 
     def _refresh_if_due(self) -> None:
         if self._due:
@@ -143,7 +204,17 @@ class OverlayDrawing(QObject):
         after the paint, which would have to wait for it."""
         self._refresh(looking=False)
         if self._document.state.mode == "draw" and self._editor.follows_cursor:
+            self._gesture_soon.start()
+
+    def _follow_preview(self) -> None:
+        """Draw the dragged elements; the verdict on them follows after the paint."""
+        if not self._dragged or self._find_dragged() != self._dragged:
+            self.refresh()
+            return
+        self._show_gesture()
+        if self._document.state.active is not None:
             self._soon.start()
+        self.drawn.emit()
 
     def _refresh_others(self) -> None:
         """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
@@ -154,62 +225,83 @@ class OverlayDrawing(QObject):
         comparison.refresh(hidden=self.hidden)
 
     def _refresh_origins(self) -> None:
-        if self.colour_by in BY_ORIGIN:
+        if self.colour_by in _BY_ORIGIN:
             self.refresh()
 
     def _refresh(self, *, looking: bool = True) -> None:
-        self.count += 1
         everywhere, self._everywhere, self._due = self._everywhere, False, False
         self._soon.stop()
-        scale, comparison = self._view.view_scale, self._comparison
+        scale, comparison, document = self._view.view_scale, self._comparison, self._document
         comparison.refresh(hidden=self.hidden)
         self._maps.set_hidden(self.hidden)
         self._legend.show_for(self.colour_by, bare=self.hidden)
-        overlay = other = dragged = EMPTY_OVERLAY
         self._dragged = self._find_dragged()
-        if not self.hidden:
-            terms = self._cursor(), self.colour_by
-            overlay = self._layer.overlay(
-                comparison.judged, *terms, looking=looking, dragged=self._dragged
-            )
-            if self._dragged:
-                dragged = self._layer.dragged(self._cursor())
-            if comparison.split.shown:
-                right = comparison.judged_right
-                other = self._other_layer.overlay(right, *terms, looking=looking)
-        self._item.set_overlay(overlay, scale, everywhere=everywhere)
-        self._item.set_dragged(dragged, scale)
-        comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
+        strips = document.paint_watch.value if document.paint_watch.shown else None
+        left = right = None
+        if not self.hidden and document.state.picture_size is not None:
+            left = self._content(comparison.judged)
+            right = self._content(comparison.judged_right) if comparison.split.shown else None
+        self._left.show(left, strips, scale, everywhere=everywhere)
+        self._right.show(right, strips, scale, everywhere=everywhere)
+        self._show_gesture(looking=looking)
         self._draw_ghosts()
         self._hand.refresh(hidden=self.hidden)
         self.drawn.emit()
         self.told.emit()
 
-    def _follow_preview(self) -> None:
-        """Draw the dragged elements; everything else, and what a camera makes of them, after the
-        paint."""
-        dragged = self._find_dragged()
-        if not dragged or dragged != self._dragged:
-            self.refresh()
-            return
+    def _show_gesture(self, *, looking: bool = True) -> None:
+        """``looking``: whether to search the picture for the position of the next click."""
         self.count += 1
-        self._item.set_dragged(self._layer.dragged(self._cursor()), self._view.view_scale)
-        if self._document.state.active is not None:
-            self._soon.start()
-        self.drawn.emit()
+        self._gesture_soon.stop()
+        cursor, state = self._cursor(), self._document.state
+        gesture = GestureContent(
+            state.shown_annotation,
+            self._editor.draft(cursor, looking=looking),
+            cursor if state.hovered_class is not None else None,
+            self._editor.band,
+        )
+        for side in (self._left, self._right):
+            side.show_gesture(gesture, self._view.view_scale)
 
     def _find_dragged(self) -> frozenset[str]:
-        """Return the elements that are drawn apart, above everything, while the mouse moves them.
-
-        Two sides show them twice, and points by origin are drawn by those that exist.
-        """
-        state, comparison = self._document.state, self._comparison
-        if state.preview is None or self.hidden or self.colour_by in BY_ORIGIN:
-            return frozenset()
-        if comparison.divided or comparison.looking:
+        """Return the elements that differ from the annotation; by origin all points are drawn
+        alike."""
+        state = self._document.state
+        if state.preview is None or self.colour_by in _BY_ORIGIN:
             return frozenset()
         same = set(map(id, state.annotation.polylines))
         return frozenset([p.class_name for p in state.preview.polylines if id(p) not in same])
+
+    def _content(self, judged: Judged) -> OverlayContent:
+        """``judged``: measurement and score of the source to draw."""
+        document, state = self._document, self._document.state
+        assert state.picture_size is not None
+        return OverlayContent(
+            annotation=state.annotation if self._dragged else state.shown_annotation,
+            size=state.setup.size,
+            field=document.judge.frame_setup.field,
+            measurement=judged[0],
+            score=judged[1],
+            picture_size=state.picture_size,
+            highlight=state.hovered_class,
+            selection=state.selection.point or state.selected_class,
+            with_projection=state.projection_visible,
+            colour_by=self.colour_by,
+            selected_points=state.selection.points,
+            origins=self._origins() if self.colour_by in _BY_ORIGIN else None,
+            other=document.second.annotation if state.projection_visible else None,
+            # Of the compared source no one asked for it.
+            paint=document.painted_width.value if judged[0] is document.judge.measurement else None,
+            ellipses=tuple(document.landmarks.ellipses),
+            found=document.label_check.shown,
+            dragged=self._dragged,
+        )
+
+    def _origins(self) -> Mapping[PointKey, Origin] | None:
+        frame = self._document.state.frame
+        return None if frame is None else self._document.review.origins(frame.name)
+
+    # --- ghosts -------------------------------------------------------------------------------
 
     def _refresh_ghosts(self) -> None:
         if not self._due:
@@ -218,7 +310,61 @@ class OverlayDrawing(QObject):
 
     def _draw_ghosts(self) -> None:
         hidden = self.hidden or self._hand.held  # its wireframe is shown instead
-        ghosts = self._ghosts.overlay(hidden=hidden)
-        self._item.set_ghosts(ghosts, self._view.view_scale)
-        beside = ghosts if self._comparison.split.shown else EMPTY_OVERLAY
-        self._comparison.other_side.set_ghosts(beside, self._view.view_scale)
+        ghosts = self._ghosts_shown() if not hidden else EMPTY_OVERLAY
+        scale, right = self._view.view_scale, self._comparison.other_side
+        self._left.item.set_ghosts(ghosts, scale)
+        right.set_ghosts(ghosts if self._comparison.split.shown else EMPTY_OVERLAY, scale)
+
+    def _ghosts_shown(self) -> Overlay:
+        """Return the overlay of ghosts; the same object as long as nothing changed."""
+        ghosts, state = self._document.ghosts, self._document.state
+        current, size = ghosts.current, state.picture_size
+        at = ghosts.suggested_at if ghosts.wanted else None
+        if size is None or not (ghosts.painted or at):
+            return EMPTY_OVERLAY
+        foresight = self._document.foresight
+        unsure = foresight.stands_in and bool(foresight.doubt)
+        found, label = None, ""
+        if current is not None:
+            found, title = ghosts.found(current.name), tr(state.field.title_of(current.name))
+            label = f"{title}  ±{current.sd_px:.1f} px"
+            if unsure:
+                label = tr("{title}  ±{sd:.1f} px  unsure", title=title, sd=current.sd_px)
+        upcoming = ""
+        if (best := ghosts.suggestion) is not None and current is None:
+            upcoming = tr("next: {title}", title=tr(state.field.title_of(best.name)))
+        painted = tuple(ghosts.painted)
+        return self._ghosts(painted, current, label, found, unsure, size, at, upcoming)
+
+
+def _ghosts_overlay(
+    painted: tuple[Ghost, ...],
+    current: Ghost | None,
+    label: str,
+    found: GhostPoints | None,
+    unsure: bool,
+    size: tuple[int, int],
+    next_at: Position | None,
+    upcoming: str,
+) -> Overlay:
+    overlay = build_ghosts(
+        painted,
+        current=current,
+        label=label,
+        points_px=_points_px(found, size),
+        tone=tones.UNSURE_GHOST if unsure else tones.GHOST,
+    )
+    if upcoming and next_at is not None:
+        return with_next(overlay, next_at, upcoming, size)
+    return overlay
+
+
+def _points_px(found: GhostPoints | None, size: tuple[int, int]) -> FloatArray:
+    """(N, 2) picture px of the points that accepting a ghost would add."""
+    if found is None or not found.points:
+        return NO_POINTS
+    return np.array([p[:2] for p in found.points]) * (size[0] - 1, size[1] - 1)
+
+
+def _with_strips(overlay: Overlay, seen: Evidence) -> Overlay:
+    return replace(overlay, strokes=(*evidence_strips(seen.values()), *overlay.strokes))

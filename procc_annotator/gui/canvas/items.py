@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
-from procc_annotator.gui.canvas.label_plates import anchored, arranged, carried, paint_plates
+from procc_annotator.gui.canvas.label_plates import arranged, paint_plates
 from procc_annotator.interaction.overlay_primitives import (
     Box,
     FilledArea,
@@ -79,9 +79,8 @@ def paint_overlay(
     if labelled and overlay.labels:
         at = scale, view.x, view.y
         room_box = seen.left(), seen.top(), seen.right(), seen.bottom()
-        for labels in (anchored(overlay.labels), carried(overlay.labels)):
-            plates = arranged(labels, at, room_box, unit=unit, times=text_times)
-            paint_plates(painter, plates, view.area, unit=unit, times=text_times)
+        plates = arranged(overlay.labels, at, room_box, unit=unit, times=text_times)
+        paint_plates(painter, plates, view.area, unit=unit, times=text_times)
     painter.restore()
 
 

@@ -34,16 +34,6 @@ class Plate(NamedTuple):
         return self.labels.texts[self.row]
 
 
-def anchored(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
-    """Without what is at the cursor: they stay what they are while it moves."""
-    return tuple([labels for labels in groups if not labels.carried])
-
-
-def carried(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
-    """Return what is at the cursor."""
-    return tuple([labels for labels in groups if labels.carried])
-
-
 @lru_cache(maxsize=16)  # painted again and again, part by part
 def arranged(
     groups: tuple[Labels, ...],

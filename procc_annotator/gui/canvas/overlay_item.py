@@ -15,7 +15,7 @@ from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.canvas.items import paint_overlay
-from procc_annotator.gui.canvas.label_plates import anchored, arranged
+from procc_annotator.gui.canvas.label_plates import arranged
 from procc_annotator.gui.canvas.still import StillOverlay
 from procc_annotator.gui.theme import text_times
 from procc_annotator.interaction.overlay_primitives import (
@@ -34,7 +34,6 @@ _WIDE_LETTER = 13.0  # of Japanese and Chinese
 _SIGNS = 40.0  # what may stand beside a text at the cursor
 _ABOVE = 28.0
 _BELOW = 32.0
-_IN_HAND = frozenset({"draft", "band", "whisker"})  # layers that nothing may hide
 _EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
 
 Positions = NDArray[np.floating]
@@ -60,7 +59,7 @@ class _Seen:
         scale, room = self.world.m11(), self.room
         at = scale, self.world.dx() + 0.5 * scale, self.world.dy() + 0.5 * scale
         box = room.left(), room.top(), room.right(), room.bottom()
-        return _beside_points(anchored(groups), at, box, text_times())
+        return _beside_points(groups, at, box, text_times())
 
     def areas_of(self, texts: frozenset[Beside]) -> list[QRectF]:
         """Return what they cover, scene coordinates."""
@@ -97,11 +96,11 @@ class OverlayItem(QGraphicsItem):
         self.overlay = EMPTY_OVERLAY
         self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and what is in hand
         self.ghosts = EMPTY_OVERLAY  # below everything
-        self.dragged = EMPTY_OVERLAY  # above everything, and nothing below it changes meanwhile
+        self.gesture = EMPTY_OVERLAY  # above everything; what is below rarely changes meanwhile
         self._layers: tuple[Overlay, ...] | None = None
         self._still_ghosts = StillOverlay()
         self._still = StillOverlay()
-        self._still_below_dragged = StillOverlay()
+        self._still_below_gesture = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
         self._painted_at: _Seen | None = None
@@ -146,14 +145,14 @@ class OverlayItem(QGraphicsItem):
             self.ghosts, self._layers = ghosts, None
             self.update(area & self._area)
 
-    def set_dragged(self, dragged: Overlay, scale: float) -> None:
-        """Show what a held mouse button moves, or nothing; ``scale`` as for `set_overlay`."""
-        if dragged is self.dragged:
+    def set_gesture(self, gesture: Overlay, scale: float) -> None:
+        """Show what the mouse drags or draws, or nothing; ``scale`` as for `set_overlay`."""
+        if gesture is self.gesture:
             return
-        changed = changed_areas(self.dragged, dragged, scale)
-        self.dragged, self._layers = dragged, None
-        if dragged is EMPTY_OVERLAY:
-            self._still_below_dragged = StillOverlay()
+        changed = changed_areas(self.gesture, gesture, scale)
+        self.gesture, self._layers = gesture, None
+        if gesture is EMPTY_OVERLAY:
+            self._still_below_gesture = StillOverlay()
         self._update_areas(changed)
 
     def place_labels(self) -> None:
@@ -175,7 +174,7 @@ class OverlayItem(QGraphicsItem):
     def _given_way(self, before: tuple[Labels, ...], after: tuple[Labels, ...]) -> list[QRectF]:
         """Return where texts go that stay what they are, and come to, as others came or went."""
         seen = self._painted_at
-        if seen is None or anchored(before) == anchored(after):
+        if seen is None or before == after:
             return []
         return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
 
@@ -208,8 +207,8 @@ class OverlayItem(QGraphicsItem):
         seen = self._room(room)
         self._painted_at = _Seen(QTransform(world), seen)
         layers = self.layers
-        if self.dragged is not EMPTY_OVERLAY:
-            self._still_below_dragged.paint(
+        if self.gesture is not EMPTY_OVERLAY:
+            self._still_below_gesture.paint(
                 painter, layers[:-1], scale=scale, offset=offset, clip=clip, room=room, seen=seen
             )
             layers = layers[-1:]
@@ -232,16 +231,16 @@ class OverlayItem(QGraphicsItem):
             below, above = self.overlay, EMPTY_OVERLAY
             if self.wireframes.strokes:
                 below, above = split_layers(self.overlay)
-            every = self.ghosts, below, self.wireframes, above, self.dragged
+            every = self.ghosts, below, self.wireframes, above, self.gesture
             self._layers = tuple(layer for layer in every if layer is not EMPTY_OVERLAY)
         return self._layers
 
 
 def split_layers(overlay: Overlay) -> tuple[Overlay, Overlay]:
-    """The lines that wireframes may hide, and what must not be hidden: marks, what is in hand."""
-    below = tuple(s for s in overlay.strokes if s.layer not in _IN_HAND)
-    in_hand = tuple(s for s in overlay.strokes if s.layer in _IN_HAND)
-    return Overlay(below, (), ()), Overlay(in_hand, overlay.marks, overlay.labels)
+    """The lines that wireframes may hide, and what must not be hidden: error vectors, marks."""
+    below = tuple(s for s in overlay.strokes if s.layer != "whisker")
+    vectors = tuple(s for s in overlay.strokes if s.layer == "whisker")
+    return Overlay(below, (), ()), Overlay(vectors, overlay.marks, overlay.labels)
 
 
 def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:

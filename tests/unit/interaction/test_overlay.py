@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,7 +18,13 @@ from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.dataset.review import StoredFinding, store_check
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.overlay import LastCallCache, OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay import (
+    GestureContent,
+    LastCallCache,
+    OverlayBuilder,
+    OverlayContent,
+    gesture_overlay,
+)
 from procc_annotator.interaction.overlay_figure import place_apart
 from procc_annotator.interaction.overlay_lines import build_wireframes
 from procc_annotator.interaction.overlay_predictions import (
@@ -44,22 +51,25 @@ def middle_line(shift_px: float) -> Polyline:
     return Polyline("Middle line", points)
 
 
+def content(
+    annotation: FrameAnnotation, camera: PinholeCamera = CAMERA, **options: object
+) -> OverlayContent:
+    measurement = measure(annotation, camera, SETUP)
+    return OverlayContent(
+        annotation=annotation,
+        size=SETUP.size,
+        field=FIELD,
+        measurement=measurement,
+        score=score(measurement, 5.0),
+        picture_size=SIZE,
+        **options,
+    )
+
+
 def overlay(
     annotation: FrameAnnotation, camera: PinholeCamera = CAMERA, **options: object
 ) -> Overlay:
-    measurement = measure(annotation, camera, SETUP)
-    found = score(measurement, 5.0)
-    return OverlayBuilder().build(
-        OverlayContent(
-            annotation=annotation,
-            size=SETUP.size,
-            field=FIELD,
-            measurement=measurement,
-            score=found,
-            picture_size=SIZE,
-            **options,
-        )
-    )
+    return OverlayBuilder().build(content(annotation, camera, **options))
 
 
 def segments(found: Overlay, layer: str, colour: str) -> np.ndarray:
@@ -118,7 +128,7 @@ def test_blind_shows_nothing_of_the_camera() -> None:
 
 def test_two_overlays_can_be_compared_row_by_row() -> None:
     one = overlay(FrameAnnotation((middle_line(7.2),)), selection="Middle line")
-    two = overlay(FrameAnnotation((middle_line(1.0),)), draft=Draft("Circle left", ((1, 2),)))
+    two = overlay(FrameAnnotation((middle_line(1.0),)), highlight="Circle left")
     assert len(one.strokes) == len(two.strokes)
     assert len(one.marks) == len(two.marks)
     plain = overlay(FrameAnnotation(), with_projection=False, colour_by="class")
@@ -127,18 +137,47 @@ def test_two_overlays_can_be_compared_row_by_row() -> None:
 
 def test_selection_highlight_draft_and_the_name_at_the_cursor() -> None:
     annotation = FrameAnnotation((middle_line(1.0),))
-    found = overlay(
-        annotation, selection=("Middle line", 1), highlight="Middle line", pointer=(5.0, 6.0)
-    )
+    shown = content(annotation, selection=("Middle line", 1), highlight="Middle line")
+    found = OverlayBuilder().build(shown)
     assert len(segments(found, "selection", tones.HALO)) == 1
     assert len(segments(found, "selection", tones.OUTLINE)) == 1
     assert len(marks(found, "ring", tones.HALO)) == 1
-    assert found.labels[1].texts == ("Halfway line",)
-    assert found.labels[1].positions.tolist() == [[5.0, 6.0]]
-    drawing = overlay(annotation, draft=Draft("Circle left", ((1, 2), (3, 4)), (9, 9)))
-    assert drawing.labels[1].texts == ("Left penalty arc",)
+    (title,) = gesture_overlay(shown, GestureContent(annotation, pointer=(5.0, 6.0))).labels
+    assert title.texts == ("Halfway line",)
+    assert title.positions.tolist() == [[5.0, 6.0]]
+    draft = Draft("Circle left", ((1, 2), (3, 4)), (9, 9))
+    drawing = gesture_overlay(shown, GestureContent(annotation, draft))
+    assert drawing.labels[0].texts == ("Left penalty arc",)
     band = [s for s in drawing.strokes if s.layer == "draft" and s.dash]
     assert band[0].segments.tolist() == [[3, 4, 9, 9]]
+
+
+@pytest.mark.parametrize("colour_by", ["criterion", "class"])
+@pytest.mark.parametrize("camera", [CAMERA, None])
+def test_a_dragged_element_looks_as_it_does_at_rest(colour_by: str, camera: object) -> None:
+    annotation = FrameAnnotation(
+        (middle_line(7.2), Polyline("Corner flag", middle_line(90).points))
+    )
+    shown = content(
+        annotation,
+        highlight="Middle line",
+        selection=("Middle line", 1),
+        colour_by=colour_by,
+        with_projection=camera is not None,
+    )
+    whole = OverlayBuilder().build(shown)
+    dragged = replace(shown, dragged=frozenset({"Middle line", "Corner flag"}))
+    parts = OverlayBuilder().build(dragged), gesture_overlay(dragged, GestureContent(annotation))
+    assert _looks(whole) == sorted(look for part in parts for look in _looks(part))
+
+
+def _looks(found: Overlay) -> list[tuple[object, ...]]:
+    """Each line and point with its look."""
+    lines = [
+        (s.layer, s.colour, s.width, s.dash, *row) for s in found.strokes for row in s.segments
+    ]
+    points = [(m.shape, m.colour, m.size, (), *at) for m in found.marks for at in m.centres]
+    return sorted(lines + points)
 
 
 def test_mirrored_labels_colour_what_the_annotator_drew() -> None:

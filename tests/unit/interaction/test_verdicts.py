@@ -11,7 +11,12 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay import (
+    GestureContent,
+    OverlayBuilder,
+    OverlayContent,
+    gesture_overlay,
+)
 from procc_annotator.interaction.overlay_primitives import (
     Draft,
     Overlay,
@@ -184,16 +189,16 @@ def test_a_point_without_a_distance_fails_without_a_whisker() -> None:
 def test_a_draft_continues_where_the_element_ends() -> None:
     annotation = annotated("Side line right", GOAL_LINE)
     end = annotation.polylines[0].points[-1]
-    before = Draft("Side line right", (), (50.0, 60.0))
-    (band,) = [
-        s.segments
-        for s in judged(annotation, draft=before).strokes
-        if s.dash == (4, 4) and s.layer == "draft"
-    ]
+    shown = OverlayContent(annotation=annotation, size=(960, 540), field=FIELD, picture_size=SIZE)
+
+    def drafted(*points: tuple[float, float]) -> Overlay:
+        draft = Draft("Side line right", points, (50.0, 60.0))
+        return gesture_overlay(shown, GestureContent(annotation, draft))
+
+    (band,) = [s.segments for s in drafted().strokes if s.dash == (4, 4)]
     np.testing.assert_allclose(band, [[end.u * 1279, end.v * 719, 50, 60]])
-    one = Draft("Side line right", ((70.0, 80.0),), (50.0, 60.0))
     element = FIELD.element("Side line right")
-    drawn = layer(judged(annotation, draft=one), "draft", element.colour)
+    drawn = layer(drafted((70.0, 80.0)), "draft", element.colour)
     np.testing.assert_allclose(drawn, [[end.u * 1279, end.v * 719, 70, 80], [70, 80, 50, 60]])
 
 
