@@ -51,7 +51,7 @@ from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
-from procc_annotator.gui.window.commands import Commands, PanelCommands
+from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.keyboard_focus import FocusRing, KeysBack, Regions
 from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.message_routing import ErrorReports, Telling
@@ -60,7 +60,7 @@ from procc_annotator.gui.window.tool_bar import Rail
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 from procc_annotator.gui.window.window_settings import Options, Remembering, dress
-from procc_annotator.gui.window.workspaces import DeskSwitch, Docks, Drawer
+from procc_annotator.gui.window.workspaces import PlotsHandle, Workspaces, WorkspaceSwitch
 from procc_annotator.translation import tr
 
 
@@ -84,7 +84,8 @@ class MainWindow(QMainWindow):
         self._make_centre()
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
-        self._docks.turned = self.panels.note_desk
+        self.panels.turned.connect(lambda name: self.actions_.set_checked(f"desk_{name}", True))
+        self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
         self.drawer.take_keys(self.actions_["plots"])
         self._make_bars()
         self._add_panel_toggles()
@@ -102,7 +103,7 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self._make_helpers()
-        self._remembering = Remembering(self.settings, self, self.options, self._docks)
+        self._remembering = Remembering(self.settings, self, self.options, self.panels)
         self._connect()
         self._remembering.take_up()
         self._refresh_frame()
@@ -111,7 +112,7 @@ class MainWindow(QMainWindow):
 
     def _make_bars(self) -> None:
         """What stands around the picture and the panels, with the actions in it."""
-        self.desk_switch = DeskSwitch(self, self.actions_)
+        self.workspace_switch = WorkspaceSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
@@ -197,19 +198,7 @@ class MainWindow(QMainWindow):
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
         self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
-        self.drawer = Drawer(self._docks)
-        self.panels = PanelCommands(
-            self._docks,
-            self.drawer,
-            self.canvas,
-            {
-                "frames": self.frames.focus_filter,
-                "elements": self.elements.focus_search,
-                "review": self.review.focus_comment,
-            },
-            lambda name: self.actions_[name],
-        )
-        self.drawer.clicked.connect(self.panels.toggle_plots)
+        self.drawer = PlotsHandle(self.panels)
         column.addWidget(self.drawer)
         self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
@@ -229,7 +218,7 @@ class MainWindow(QMainWindow):
         self.landmarks = LandmarksPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
-        self._docks = Docks(
+        self.panels = Workspaces(
             self,
             {
                 "frames": self.frames,
@@ -244,8 +233,14 @@ class MainWindow(QMainWindow):
                 "review": self.review,
                 "agreement": self.agreement,
             },
+            self.canvas,
+            {
+                "frames": self.frames.focus_filter,
+                "elements": self.elements.focus_search,
+                "review": self.review.focus_comment,
+            },
         )
-        self.docks = self._docks.by_name
+        self.docks = self.panels.by_name
 
     def _add_panel_toggles(self) -> None:
         menu = self.actions_.menus["View"].addMenu(tr("Panels"))  # not shown
@@ -333,8 +328,8 @@ class MainWindow(QMainWindow):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._docks.settle()
-        self._docks.show_whole_tabs()
+        self.panels.settle()
+        self.panels.show_whole_tabs()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

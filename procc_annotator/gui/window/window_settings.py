@@ -16,7 +16,7 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import set_text_size, set_theme
-from procc_annotator.gui.window.workspaces import Docks
+from procc_annotator.gui.window.workspaces import Workspaces
 
 # Settings that an action each sets: its name begins so, and ends with the value.
 _CHOICES = {
@@ -135,12 +135,12 @@ class Remembering:
     """Puts a window in the state it was left in."""
 
     def __init__(
-        self, settings: Settings, window: QMainWindow, options: Options, docks: Docks
+        self, settings: Settings, window: QMainWindow, options: Options, workspaces: Workspaces
     ) -> None:
         self._settings = settings
         self._window = window
         self._options = options
-        self._docks = docks
+        self._workspaces = workspaces
 
     def take_up(self) -> None:
         """Give the window what is remembered."""
@@ -148,15 +148,15 @@ class Remembering:
         window.resize(_SIZE.boundedTo(window.screen().availableGeometry().size() - _AROUND))
         if not (geometry := settings.get(rows.GEOMETRY)).isEmpty():
             window.restoreGeometry(geometry)
-            if self._docks.restore(settings.get(rows.LAYOUT)):
-                self._docks.restore_desks(settings.get(rows.DESKS))
+            if self._workspaces.restore(settings.get(rows.LAYOUT)):
+                self._workspaces.restore_kept(settings.get(rows.DESKS))
         self._options.take_up_all()
 
     def write_down(self) -> None:
         """Remember the window as it is."""
         settings = self._settings
         settings.set(rows.GEOMETRY, self._window.saveGeometry())
-        settings.set(rows.LAYOUT, self._docks.state())
-        settings.set(rows.DESKS, self._docks.desks())
+        settings.set(rows.LAYOUT, self._workspaces.state())
+        settings.set(rows.DESKS, self._workspaces.kept())
         self._options.write_down()
         settings.sync()
