@@ -12,7 +12,7 @@ from procc_annotator.gui.state.state import Mode
 from procc_annotator.gui.window.guide import Guide, guide_folder
 from procc_annotator.gui.window.key_dialogs import KeymapDialog, KeySheet
 from procc_annotator.gui.window.settings_dialog import SettingsDialog
-from procc_annotator.gui.window.window_settings import Options
+from procc_annotator.gui.window.window_settings import BoundSettings
 from procc_annotator.translation import tr
 from procc_annotator.version import __version__
 
@@ -23,7 +23,7 @@ class Commands:
     """Slots of the action table, by name."""
 
     def __init__(
-        self, document: Document, canvas: Canvas, options: Options, window: QWidget
+        self, document: Document, canvas: Canvas, options: BoundSettings, window: QWidget
     ) -> None:
         self._document = document
         self._canvas = canvas

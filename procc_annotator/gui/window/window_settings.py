@@ -34,7 +34,7 @@ class _Place:
     put: Callable[[Any], object] = lambda value: None
 
 
-class Options:
+class BoundSettings:
     """Reads and changes what the window does; what is kept nowhere else is kept in the file."""
 
     def __init__(
@@ -98,7 +98,7 @@ class Options:
                 self._settings.set(setting, self.value(setting))
 
 
-def dress(settings: Settings) -> None:
+def apply_appearance(settings: Settings) -> None:
     """Have the application look as it is remembered, before anything of it is made."""
     if (theme := settings.get(rows.THEME)) != rows.THEME.default:
         set_theme(_application(), theme)
@@ -131,11 +131,15 @@ _SIZE = QSize(1440, 900)
 _AROUND = QSize(16, 48)  # what a desktop puts around a window, and its title; it tells too late
 
 
-class Remembering:
+class WindowState:
     """Puts a window in the state it was left in."""
 
     def __init__(
-        self, settings: Settings, window: QMainWindow, options: Options, workspaces: Workspaces
+        self,
+        settings: Settings,
+        window: QMainWindow,
+        options: BoundSettings,
+        workspaces: Workspaces,
     ) -> None:
         self._settings = settings
         self._window = window
