@@ -63,7 +63,7 @@ def test_words_of_the_bars_have_room_when_texts_become_larger(
     all_done(qtbot)
     application = QApplication.instance()
     assert isinstance(application, QApplication)
-    desks = window.desk_switch.findChildren(QToolButton)
+    desks = window.workspace_switch.findChildren(QToolButton)
     labels = [label for label in window.top_bar.findChildren(SteadyLabel) if label.text()]
     readouts = window.findChildren(Readout)
     assert desks

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import DESKS as KEPT
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.window.workspaces import DESKS
+from procc_annotator.gui.window.workspaces import WORKSPACES
 from tests.gui.conftest import MakeWindow, all_done
 
 # The offscreen platform has no window manager to pass these on to.
@@ -22,12 +22,12 @@ pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=Tr
 
 InFront = Callable[[MainWindow, str], bool]
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-JUDGE = set(DESKS["judge"]) - {"plots"}  # the drawer is shut at first
+JUDGE = set(WORKSPACES["judge"]) - {"plots"}  # the drawer is shut at first
 
 
 def opened(window: MainWindow) -> set[str]:
     """The panels that are open, in front of their tabs or not."""
-    docks = {name for desk in DESKS.values() for name in desk}
+    docks = {name for desk in WORKSPACES.values() for name in desk}
     return {name for name in docks if not window.docks[name].isHidden()}
 
 
@@ -46,11 +46,11 @@ def in_front(qtbot: QtBot) -> InFront:
 def test_keys_and_buttons_turn_to_the_panels_of_a_work(
     window: MainWindow, in_front: InFront
 ) -> None:
-    assert opened(window) == set(DESKS["annotate"])
+    assert opened(window) == set(WORKSPACES["annotate"])
     QTest.keyClick(window.canvas, Qt.Key.Key_F2, SHIFT)
     assert opened(window) == JUDGE
     assert in_front(window, "scores")
-    button = window.desk_switch.findChild(QToolButton, "desk_review")
+    button = window.workspace_switch.findChild(QToolButton, "desk_review")
     assert button is not None
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert opened(window) == {"review"}
@@ -96,7 +96,7 @@ def test_a_panel_that_was_torn_off_stays(window: MainWindow) -> None:
     assert window.actions_["desk_annotate"].isChecked()  # it needs no turn
     window.panels.reset_layout()
     assert not window.docks["scores"].isFloating()
-    assert opened(window) == set(DESKS["annotate"])
+    assert opened(window) == set(WORKSPACES["annotate"])
 
 
 def test_hidden_panels_come_back_with_a_work(window: MainWindow) -> None:
@@ -128,13 +128,13 @@ def test_what_is_kept_in_another_form_is_passed_over(
     first.close()
     Settings().set(KEPT, {"desk": 7, "judge": {"open": ["nothing", "fit"], "width": "wide"}})
     second = make_window(dataset)
-    assert opened(second) == set(DESKS["annotate"])
+    assert opened(second) == set(WORKSPACES["annotate"])
     second.panels.turn_to("judge")
     assert opened(second) == {"fit"}
 
 
 @pytest.mark.new_window
-@pytest.mark.parametrize("desk", DESKS)
+@pytest.mark.parametrize("desk", WORKSPACES)
 def test_no_tab_hides_behind_an_arrow(
     make_window: MakeWindow, dataset: Path, qtbot: QtBot, desk: str
 ) -> None:
@@ -162,7 +162,7 @@ class TestDrawer:
         assert plots.mapTo(window, plots.rect().topLeft()).y() > canvas.geometry().bottom()
         assert abs(plots.width() - window.centralWidget().width()) <= 2  # the columns stay whole
         assert "Shut" in window.drawer.toolTip()
-        assert opened(window) == set(DESKS["judge"])
+        assert opened(window) == set(WORKSPACES["judge"])
         QTest.keyClick(window.canvas, Qt.Key.Key_F5)
         qtbot.waitUntil(lambda: canvas.height() == tall)
         assert opened(window) == JUDGE
@@ -176,7 +176,7 @@ class TestDrawer:
         all_done(qtbot)
         high = plots.height()
         window.panels.turn_to("annotate")
-        assert opened(window) == set(DESKS["annotate"])
+        assert opened(window) == set(WORKSPACES["annotate"])
         assert window.drawer.isHidden()
         window.panels.turn_to("judge")
         all_done(qtbot)
@@ -190,4 +190,4 @@ class TestDrawer:
         assert not window.docks["plots"].isHidden()
         window.panels.reset_layout()
         assert not window.docks["plots"].isFloating()
-        assert opened(window) == set(DESKS["annotate"])
+        assert opened(window) == set(WORKSPACES["annotate"])

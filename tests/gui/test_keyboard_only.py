@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.keyboard_focus import Regions
+from procc_annotator.gui.window.keyboard_focus import FocusRegions
 from tests.gui.conftest import Hand, ReadPoints
 
 # The offscreen platform has no window manager to pass these on to.
@@ -128,7 +128,7 @@ def test_space_still_pans(window: MainWindow, hand: Hand) -> None:
 
 
 def test_the_keyboard_goes_round_all_parts(window: MainWindow, hand: Hand) -> None:
-    regions = Regions(window).all()
+    regions = FocusRegions(window).all()
     seen = []
     for _ in regions:
         QTest.keyClick(QApplication.focusWidget(), KEY.Key_F6)

@@ -410,7 +410,7 @@ class TestWindow:
             right = widget.mapTo(bar, QPoint(widget.width(), 0)).x()
             assert right <= bar.width()
             assert widget.width() >= widget.minimumSizeHint().width()
-        for button in window.rail.findChildren(IconButton):
+        for button in window.side_bar.findChildren(IconButton):
             assert button.isVisible()
             assert button.mapTo(window, QPoint(0, button.height())).y() <= window.height()
 

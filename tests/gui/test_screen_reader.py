@@ -19,7 +19,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas.split_view import DividerGrip
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.workspaces import DESKS
+from procc_annotator.gui.window.workspaces import WORKSPACES
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -62,9 +62,9 @@ def unnamed(window: QWidget) -> dict[str, str]:
 def test_everything_that_takes_the_keyboard_says_what_it_is(
     audited: MainWindow, qtbot: QtBot
 ) -> None:
-    for desk in DESKS:
+    for desk in WORKSPACES:
         audited.panels.turn_to(desk)
-        for name in DESKS[desk]:
+        for name in WORKSPACES[desk]:
             audited.panels.show(name)
     assert len(taking_keys(audited)) > 60
     assert unnamed(audited) == {}

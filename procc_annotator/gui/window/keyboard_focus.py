@@ -122,7 +122,7 @@ _NAMES = {
 }
 
 
-class KeysBack(QObject):
+class FocusReturn(QObject):
     """Routes keys to the picture.
 
     A click next to the picture gives the keyboard to text only: whatever else is clicked leaves the
@@ -209,7 +209,7 @@ def _nothing() -> None:
 _BY_TAB = Qt.FocusPolicy.TabFocus
 
 
-class Regions:
+class FocusRegions:
     """Takes the keyboard from one part of a window to the next, left to right, top to bottom."""
 
     def __init__(self, window: QMainWindow) -> None:

@@ -208,7 +208,7 @@ _BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and th
 _HELD = {"pan": "Space"}  # not shown
 
 
-class Rail(QToolBar):
+class SideToolBar(QToolBar):
     """Buttons of the table of actions, one below the other, and of how the picture looks."""
 
     lookChanged = Signal(object)  # how pictures are to be shown

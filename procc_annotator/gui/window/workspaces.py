@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import pairwise
 
-from PySide6.QtCore import QByteArray, QEvent, Qt
+from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -44,20 +44,21 @@ TITLES = {
     "review": word("Review"),
     "agreement": word("Agreement"),
 }
-_ALONE = ("frames", "field_map")  # the others share a column as tabs, desk by desk
-DESKS: Mapping[str, tuple[str, ...]] = {
+_ALONE = ("frames", "field_map")  # the others share a column as tabs, workspace by workspace
+WORKSPACES: Mapping[str, tuple[str, ...]] = {
     "annotate": ("elements", "findings", "landmarks"),
     "judge": ("scores", "cameras", "fit", "plots"),
     "review": ("review", "agreement"),
 }
-_BELOW = frozenset(["plots"])  # in a drawer below the picture, which is shut at first
+_PLOTS = "plots"
+_BELOW = frozenset([_PLOTS])  # in a drawer below the picture, which is shut at first
 _LATER = frozenset(["agreement"])  # until there is a second annotator
 _DRAWER_HEIGHT = 0.38  # of the window's height
 
 
 @dataclass(frozen=True, slots=True)
-class DeskLook:
-    """How a desk was left.
+class _Look:
+    """How a workspace was left.
 
     Attributes:
         open: its docks that are not closed.
@@ -80,19 +81,35 @@ def _catch_up(panel: QWidget, in_sight: bool) -> None:
             refresher.catch_up()
 
 
-class Docks:
-    """The window's docks by name.
+class Workspaces(QObject):
+    """The docks of the window's panels, workspace by workspace.
 
     Attributes:
-        by_name: one for each panel.
-        desk: the one in sight.
-        turned: called with which desk is in sight after another was.
+        by_name: one dock for each panel.
+        workspace: the one in sight.
     """
 
-    def __init__(self, window: QMainWindow, panels: Mapping[str, QWidget]) -> None:
-        self._window = window
-        self.turned: Callable[[str], object] = _nobody
+    turned = Signal(str)  # which workspace is in sight
+    allHidden = Signal(bool)  # every panel is hidden on purpose, or no longer
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        panels: Mapping[str, QWidget],
+        canvas: QWidget,
+        entrances: Mapping[str, Callable[[], None]],
+    ) -> None:
+        """
+        Args:
+            window: the docks' parent.
+            panels: by name, as in `TITLES`.
+            canvas: gets the keyboard focus when panels are closed.
+            entrances: panel -> puts the keyboard focus where text is entered in it.
+        """
+        super().__init__(window)
+        self._window, self._canvas, self._entrances = window, canvas, entrances
         self._open = QByteArray()
+        self._hidden = False
         self.by_name: dict[str, QDockWidget] = {}
         for name, title in TITLES.items():
             dock = QDockWidget(tr(title), window)
@@ -102,8 +119,8 @@ class Docks:
             panels[name].setMinimumWidth(narrowest)
             dock.visibilityChanged.connect(partial(_catch_up, panels[name]))
             self.by_name[name] = dock
-        self.desk = next(iter(DESKS))
-        self._looks: dict[str, DeskLook] = {}
+        self.workspace = next(iter(WORKSPACES))
+        self._looks: dict[str, _Look] = {}
         self._sized_late = True  # the window is not shown yet
         self.arrange()
 
@@ -119,14 +136,14 @@ class Docks:
             dock.hide()  # one above the other they would need more height than the window has
             window.addDockWidget(_area_of(name), dock)
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        in_tabs = [name for desk in DESKS.values() for name in desk if name not in _BELOW]
+        in_tabs = [n for names in WORKSPACES.values() for n in names if n not in _BELOW]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
-        self._looks = {desk: _first_look(desk) for desk in DESKS}
-        self.desk = next(iter(DESKS))
+        self._looks = {workspace: _first_look(workspace) for workspace in WORKSPACES}
+        self.workspace = next(iter(WORKSPACES))
         for name in _ALONE:
             docks[name].show()
-        self._show_desk()
+        self._show_workspace()
         self._take_first_sizes()
 
     def settle(self) -> None:
@@ -148,30 +165,40 @@ class Docks:
             [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
         )
 
-    # --- desks --------------------------------------------------------------------------------
+    def reset_layout(self) -> None:
+        """Forget the arrangement of panels."""
+        self._set_hidden(False)
+        self.arrange()
 
-    def turn_to(self, desk: str) -> None:
+    # --- workspaces ---------------------------------------------------------------------------
+
+    def turn_to(self, workspace: str) -> None:
         """Show the panels of one kind of work as they were left; a torn off panel stays."""
-        if desk != self.desk:
-            self._looks[self.desk] = self._look()
-            self.desk = desk
-            self._show_desk()
+        self._unhide()
+        self._turn_to(workspace)
+        self.turned.emit(workspace)  # a tick that was taken away by hand comes back
 
-    def _show_desk(self) -> None:
-        look, docks = self._looks[self.desk], self.by_name
-        for desk, names in DESKS.items():
+    def _turn_to(self, workspace: str) -> None:
+        if workspace != self.workspace:
+            self._looks[self.workspace] = self._look()
+            self.workspace = workspace
+            self._show_workspace()
+
+    def _show_workspace(self) -> None:
+        look, docks = self._looks[self.workspace], self.by_name
+        for workspace, names in WORKSPACES.items():
             for name in names:
                 if not docks[name].isFloating():
-                    docks[name].setVisible(desk == self.desk and name in look.open)
+                    docks[name].setVisible(workspace == self.workspace and name in look.open)
         if look.front in look.open:
             docks[look.front].raise_()
             if look.width:
                 self._resize(look)
         self._resize_drawer(look.drawer_height)
         self.show_whole_tabs()
-        self.turned(self.desk)
+        self.turned.emit(self.workspace)
 
-    def _resize(self, look: DeskLook) -> None:
+    def _resize(self, look: _Look) -> None:
         above, below = self.by_name["field_map"], self.by_name[look.front]
         self._window.resizeDocks([below], [look.width], Qt.Orientation.Horizontal)
         if look.map_height:
@@ -185,9 +212,9 @@ class Docks:
             sizes = [height] * len(drawers)
             self._window.resizeDocks(drawers, sizes, Qt.Orientation.Vertical)
 
-    def _look(self) -> DeskLook:
+    def _look(self) -> _Look:
         docks = self.by_name
-        names = DESKS[self.desk]
+        names = WORKSPACES[self.workspace]
         opened = tuple(name for name in names if not docks[name].isHidden())
         in_tabs = [n for n in opened if n not in _BELOW]
         shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
@@ -195,29 +222,45 @@ class Docks:
         field_map = docks["field_map"]
         height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
         width = docks[front].width() if opened and not docks[front].isFloating() else 0
-        drawer = self._looks[self.desk].drawer_height
+        drawer = self._looks[self.workspace].drawer_height
         for name in _BELOW & set(opened):
             drawer = docks[name].height()
-        return DeskLook(opened, front, width, height, drawer)
+        return _Look(opened, front, width, height, drawer)
 
     def show(self, name: str) -> None:
-        """Open a dock, turning to its desk, and bring it to the front of its tabs."""
+        """Open a dock in its workspace and bring it to the front of its tabs."""
+        self._unhide()
         dock = self.by_name[name]
-        desk = next((desk for desk, names in DESKS.items() if name in names), self.desk)
+        found = (n for n, panels in WORKSPACES.items() if name in panels)
+        workspace = next(found, self.workspace)
         if not dock.isFloating():
-            self.turn_to(desk)
+            self._turn_to(workspace)
         opens = dock.isHidden() and name in _BELOW
         dock.show()
         dock.raise_()
         if opens:
-            self._resize_drawer(self._looks[desk].drawer_height)
+            self._resize_drawer(self._looks[workspace].drawer_height)
         self.show_whole_tabs()
 
-    def hide(self, name: str) -> None:
-        """Close a dock."""
-        if name in _BELOW and self.by_name[name].isVisible():
-            self._looks[self.desk] = self._look()  # as high it opens again
-        self.by_name[name].hide()
+    def show_unless_hidden(self, name: str) -> None:
+        """The same, unless all panels are hidden on purpose."""
+        if not self._hidden:
+            self.show(name)
+
+    def enter(self, name: str) -> None:
+        """Open a panel and put the keyboard focus where text is entered in it."""
+        self.show(name)
+        self._entrances[name]()
+
+    def toggle_plots(self) -> None:
+        """Open the plots below the picture, or close them; a torn off panel comes to the front."""
+        dock = self.by_name[_PLOTS]
+        if dock.isHidden() or dock.isFloating():
+            self.show(_PLOTS)
+            return
+        self._looks[self.workspace] = self._look()  # as high it opens again
+        dock.hide()
+        self._canvas.setFocus()
 
     def show_whole_tabs(self) -> None:
         """Whole words of some panels, with arrows to the rest, rather than "Ca..." of all."""
@@ -226,33 +269,42 @@ class Docks:
             bar.setElideMode(Qt.TextElideMode.ElideNone)
             bar.setUsesScrollButtons(True)
 
-    def hide_all(self) -> None:
-        """Close every dock, until `bring_back`."""
-        self._open = self.state()
-        for dock in self.by_name.values():
-            dock.hide()
+    def hide_all(self, hidden: bool) -> None:
+        """Close every dock, or open those again that were open."""
+        self._set_hidden(hidden)
+        if hidden:
+            self._open = self.state()
+            for dock in self.by_name.values():
+                dock.hide()
+            self._canvas.setFocus()
+        else:
+            self.restore(self._open)
 
-    def bring_back(self) -> None:
-        """Open the docks that were open."""
-        self.restore(self._open)
+    def _unhide(self) -> None:
+        if self._hidden:
+            self.hide_all(False)
+
+    def _set_hidden(self, hidden: bool) -> None:
+        self._hidden = hidden
+        self.allHidden.emit(hidden)
 
     def state(self) -> QByteArray:
         """The arrangement, to be remembered."""
         return self._window.saveState(_VERSION)
 
-    def desks(self) -> dict[str, object]:
-        """Return how every desk looks and which one is in sight, to be remembered."""
-        looks = self._looks | {self.desk: self._look()}
-        return {"desk": self.desk, **{name: asdict(look) for name, look in looks.items()}}
+    def kept(self) -> dict[str, object]:
+        """Return how every workspace looks and which one is in sight, to be remembered."""
+        looks = self._looks | {self.workspace: self._look()}
+        return {"desk": self.workspace, **{name: asdict(look) for name, look in looks.items()}}
 
-    def restore_desks(self, kept: Mapping[str, object]) -> None:
-        """Have the desks look as they did; what cannot be read of it stays as it is at first."""
-        for desk in DESKS:
-            if (look := _look_of(desk, kept.get(desk))) is not None:
-                self._looks[desk] = look
-        if (last := kept.get("desk")) in DESKS:
-            self.desk = str(last)
-        self._show_desk()
+    def restore_kept(self, kept: Mapping[str, object]) -> None:
+        """Restore the workspaces; what cannot be read stays as it is at first."""
+        for workspace in WORKSPACES:
+            if (look := _look_of(workspace, kept.get(workspace))) is not None:
+                self._looks[workspace] = look
+        if (last := kept.get("desk")) in WORKSPACES:
+            self.workspace = str(last)
+        self._show_workspace()
 
     def restore(self, state: QByteArray) -> bool:
         """Arrange the docks as they were; False, and nothing done, if that was another version."""
@@ -261,13 +313,9 @@ class Docks:
         return restored
 
 
-def _nobody(_: str) -> None:
-    """Nobody is notified yet."""
-
-
-def _first_look(desk: str) -> DeskLook:
-    names = DESKS[desk]
-    return DeskLook(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
+def _first_look(workspace: str) -> _Look:
+    names = WORKSPACES[workspace]
+    return _Look(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
 
 
 def _area_of(name: str) -> Qt.DockWidgetArea:
@@ -276,18 +324,18 @@ def _area_of(name: str) -> Qt.DockWidgetArea:
     return _LEFT if name == "frames" else _RIGHT
 
 
-def _look_of(desk: str, kept: object) -> DeskLook | None:
-    """A look as it was kept; what belongs to no dock of the desk is none. A panel that waits for
-    something to be opened is closed until then."""
+def _look_of(workspace: str, kept: object) -> _Look | None:
+    """Return a look as it was kept, without unknown docks; None if it cannot be read. A panel that
+    waits for something to be opened is closed until then."""
     if not isinstance(kept, dict) or not isinstance(kept.get("open"), list):
         return None
-    names = [n for n in DESKS[desk] if n in kept["open"] and n not in _LATER]
+    names = [n for n in WORKSPACES[workspace] if n in kept["open"] and n not in _LATER]
     front = kept.get("front")
     sizes = [kept.get(name) for name in ("width", "map_height", "drawer_height")]
     width, height, drawer = (size if isinstance(size, int) else 0 for size in sizes)
-    return DeskLook(
+    return _Look(
         tuple(names),
-        str(front) if front in names else (names or DESKS[desk])[0],
+        str(front) if front in names else (names or WORKSPACES[workspace])[0],
         width,
         height,
         drawer,
@@ -302,8 +350,8 @@ _TITLES = {
 _ROOM = 6  # px around the words: no more than the menus have beside them
 
 
-class DeskSwitch(QWidget):
-    """Buttons of the actions that turn to a desk."""
+class WorkspaceSwitch(QWidget):
+    """Buttons of the actions that turn to a workspace."""
 
     def __init__(self, window: QMainWindow, actions: Actions) -> None:
         super().__init__(window)
@@ -311,11 +359,11 @@ class DeskSwitch(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 4, 0)
         row.setSpacing(2)
-        for desk in DESKS:
-            action = actions[f"desk_{desk}"]
-            action.setIconText(tr(_TITLES[desk], "desk"))
+        for workspace in WORKSPACES:
+            action = actions[f"desk_{workspace}"]
+            action.setIconText(tr(_TITLES[workspace], "desk"))
             button = QToolButton()
-            button.setObjectName(f"desk_{desk}")
+            button.setObjectName(f"desk_{workspace}")
             button.setDefaultAction(action)
             button.setAutoRaise(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
@@ -338,49 +386,42 @@ class DeskSwitch(QWidget):
             button.setMaximumHeight(self.fontMetrics().height() + _ROOM)
 
 
-_DOCK, _DESK = "plots", "judge"
-
-
-class Drawer(QToolButton):
+class PlotsHandle(QToolButton):
     """A strip across the foot of the picture while one judges; pulled, the drawer opens or shuts.
 
     What is torn off is no drawer any more: the handle brings it to the front.
     """
 
-    def __init__(self, docks: Docks, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, workspaces: Workspaces) -> None:
+        super().__init__()
         self.setObjectName("drawerHandle")
-        self._docks, self._dock = docks, docks.by_name[_DOCK]
+        self._dock = workspaces.by_name[_PLOTS]
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._keys = ""
         self._dock.visibilityChanged.connect(self._show_state)
-        self.show_for(docks.desk)
+        self.clicked.connect(workspaces.toggle_plots)
+        workspaces.turned.connect(self._show_for)
+        self._show_for(workspaces.workspace)
 
     def take_keys(self, action: QAction) -> None:
         """Show the keys that do the same, whatever they are."""
         action.changed.connect(lambda: self._take_keys(action))
         self._take_keys(action)
 
-    def show_for(self, desk: str) -> None:
-        """A desk came into sight."""
-        self.setVisible(desk == _DESK)
+    def _show_for(self, workspace: str) -> None:
+        self.setVisible(_PLOTS in WORKSPACES[workspace])
         self._show_state()
 
     def _take_keys(self, action: QAction) -> None:
         self._keys = action.shortcut().toString()
         self._show_state()
 
-    @property
-    def is_open(self) -> bool:
-        """Return whether the plots are in sight, in the drawer or torn off."""
-        return not self._dock.isHidden()
-
     def _show_state(self) -> None:
         title = tr("Plots")
         self.setText(f"{title}  {self._keys}" if self._keys else title)
-        shut = not self.is_open or self._dock.isFloating()
+        shut = self._dock.isHidden() or self._dock.isFloating()
         self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
         told = tr("Open the plots below the picture") if shut else tr("Shut the plots")
         self.setToolTip(told)
