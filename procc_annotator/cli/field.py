@@ -162,7 +162,7 @@ def _write_picture(field: Field, out: Path) -> None:
 def _keys_of_the_window() -> dict[str, str]:
     """Keys that do something else in the window; its tables need no Qt."""
     from procc_annotator.gui.actions import ACTIONS
-    from procc_annotator.gui.gestures import GESTURES
+    from procc_annotator.gui.keymap import GESTURES
 
     taken = {key: action.text.lstrip("-").rstrip("…") for action in ACTIONS for key in action.keys}
     for gesture, does in GESTURES:

@@ -17,9 +17,8 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.settings import APPLICATION, LANGUAGE, ORGANISATION, Settings
+from procc_annotator.gui.settings import APPLICATION, LANGUAGE, ORGANISATION, Settings, take_up
 from procc_annotator.gui.state.background import hold, release
 from procc_annotator.gui.theme import follow_system
 from procc_annotator.resources import resources_dir

@@ -15,12 +15,11 @@ from procc_annotator.errors import FieldError
 from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.field.model import Field
 from procc_annotator.field.validation import FieldWarning, WarningSeverity, validate_field
-from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
-from procc_annotator.gui.settings import LANGUAGE, Settings
+from procc_annotator.gui.settings import LANGUAGE, Settings, take_up
 from procc_annotator.gui.state.background import LatestOnlyTask
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch

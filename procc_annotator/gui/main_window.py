@@ -10,30 +10,23 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.elements.assistant import Assistant
-from procc_annotator.gui.commands.elements.element_edits import ElementEdits
+from procc_annotator.gui.commands.elements.element_edits import ElementEdits, Naming
 from procc_annotator.gui.commands.elements.ghosts import GhostTasks
-from procc_annotator.gui.commands.elements.naming import Naming
 from procc_annotator.gui.commands.field.field_choosing import FieldBar, FieldChoosing
 from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
-from procc_annotator.gui.commands.files.exporting import Exporter
-from procc_annotator.gui.commands.files.exporting_as import ExportAs
-from procc_annotator.gui.commands.files.fit_saving import FitSaving
+from procc_annotator.gui.commands.files.exporting import ExportAs, Exporter, FitSaving
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
-from procc_annotator.gui.commands.files.opening import OpeningTask, sample_folder
+from procc_annotator.gui.commands.files.opening import OpeningTask, SourceMemory, sample_folder
 from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
-from procc_annotator.gui.commands.files.source_memory import SourceMemory
-from procc_annotator.gui.commands.review.blind_locking import BlindLocking
+from procc_annotator.gui.commands.review.frame_walks import Tour, WorstFirst
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
-from procc_annotator.gui.commands.review.tour import Tour
-from procc_annotator.gui.commands.review.triage import Triage
-from procc_annotator.gui.commands.review.versions_command import Versions
-from procc_annotator.gui.commands.review.worst_first import WorstFirst
+from procc_annotator.gui.commands.review.triage import BlindLocking, Triage
+from procc_annotator.gui.commands.review.versions import Versions
 from procc_annotator.gui.commands.shot.accepting import StretchAccepting
 from procc_annotator.gui.commands.shot.following import ShotFollowing
 from procc_annotator.gui.commands.shot.walking import ShotWalk
-from procc_annotator.gui.digit_row import DigitRow
-from procc_annotator.gui.element_keys import ElementShortcuts
+from procc_annotator.gui.element_keys import DigitRow, ElementShortcuts
 from procc_annotator.gui.messages import (
     BarStack,
     ConflictBar,
@@ -56,28 +49,18 @@ from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripPlace
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.window.command_palette import CommandPalette
-from procc_annotator.gui.window.commands import Commands
-from procc_annotator.gui.window.context_menu import canvas_menu
-from procc_annotator.gui.window.desk_switch import DeskSwitch
-from procc_annotator.gui.window.docks import Docks
-from procc_annotator.gui.window.drawer import Drawer
-from procc_annotator.gui.window.error_reports import ErrorReports
-from procc_annotator.gui.window.finding_tips import FindingTips
-from procc_annotator.gui.window.focus_ring import FocusRing
-from procc_annotator.gui.window.keys_back import KeysBack
+from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
+from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
+from procc_annotator.gui.window.commands import Commands, PanelCommands
+from procc_annotator.gui.window.keyboard_focus import FocusRing, KeysBack, Regions
 from procc_annotator.gui.window.menus import Actions, ActionStates
-from procc_annotator.gui.window.options import Options, dress
-from procc_annotator.gui.window.palette_entries import PaletteEntries
-from procc_annotator.gui.window.panel_commands import PanelCommands
-from procc_annotator.gui.window.rail import Rail
-from procc_annotator.gui.window.regions import Regions
-from procc_annotator.gui.window.remembering import Remembering
-from procc_annotator.gui.window.status import StatusLine
-from procc_annotator.gui.window.status_report import StatusReport
-from procc_annotator.gui.window.telling import Telling
+from procc_annotator.gui.window.message_routing import ErrorReports, Telling
+from procc_annotator.gui.window.status import StatusLine, StatusReport
+from procc_annotator.gui.window.tool_bar import Rail
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
+from procc_annotator.gui.window.window_settings import Options, Remembering, dress
+from procc_annotator.gui.window.workspaces import DeskSwitch, Docks, Drawer
 from procc_annotator.translation import tr
 
 

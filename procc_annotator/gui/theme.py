@@ -1,9 +1,12 @@
-"""Light and dark, following the system."""
+"""Light and dark theme, following the system; icons, fonts, readable colours."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from functools import lru_cache
+
+from PySide6.QtCore import QByteArray, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPainter, QPalette
+from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
     QApplication,
     QGraphicsView,
@@ -13,6 +16,23 @@ from PySide6.QtWidgets import (
     QStyleOptionViewItem,
     QWidget,
 )
+
+from procc_annotator.resources import resources_dir
+
+_BLACK = b"#000"  # what the files are drawn in
+
+
+def paint_icon(painter: QPainter, name: str, box: QRectF, colour: QColor) -> None:
+    """Paint an icon of ``resources/icons`` into a box, in one colour."""
+    _drawn(name, colour.name()).render(painter, box)
+
+
+@lru_cache(maxsize=128)  # every icon in the colours of both themes
+def _drawn(name: str, colour: str) -> QSvgRenderer:
+    """Raises `FileNotFoundError` where there is no such icon."""
+    drawn = (resources_dir() / "icons" / f"{name}.svg").read_bytes()
+    return QSvgRenderer(QByteArray(drawn.replace(_BLACK, colour.encode())))
+
 
 _LIGHT = {
     QPalette.ColorRole.Window: "#f3f4f5",

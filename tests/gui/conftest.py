@@ -37,6 +37,7 @@ from procc_annotator.gui.state.checking import line_pixels, runner
 from procc_annotator.gui.state.checking.line_pixels import Evidence
 from procc_annotator.gui.state.prediction import live_fit, proposals
 from procc_annotator.gui.theme import PlainTextStyle
+from procc_annotator.gui.window.key_dialogs import KeySheet
 from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
 
@@ -508,3 +509,8 @@ def _timers_due() -> list[QTimer]:
     windows = [w for w in QApplication.topLevelWidgets() if w.parent() is None]
     timers = [t for window in windows for t in window.findChildren(QTimer) if t.isActive()]
     return [t for t in timers if t.isSingleShot() and t.interval() <= _SOON_MS]
+
+
+def sheet_text(sheet: KeySheet) -> str:
+    """Return what the sheet of keys shows, a row per line."""
+    return "\n".join(f"{row.keys}\t{row.title}" for row in sheet.table.shown())

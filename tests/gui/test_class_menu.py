@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.window.context_menu import class_menu
+from procc_annotator.gui.window.canvas_menu import class_menu
 
 FIELD = load_field("soccer")
 

@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.state import background
-from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.workspaces import DESKS
 from tests.gui.conftest import all_done, let_work_end
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import CALLED, RECENT, Settings
-from procc_annotator.gui.window.key_sheet import KeySheet
+from procc_annotator.gui.window.key_dialogs import KeySheet
 from tests.gui.conftest import Hand, MakeWindow, ReadPoints
 
 # The offscreen platform has no window manager to pass these on to.
@@ -24,7 +24,7 @@ K = Qt.Key.Key_K
 
 def _titles(window: MainWindow) -> list[str]:
     model = window.palette_.list.model()
-    return [str(model.index(row, 0).data()) for row in range(model.rowCount())]
+    return [str(model.index(row, 1).data()).removeprefix("✓ ") for row in range(model.rowCount())]
 
 
 def _type(window: MainWindow, text: str) -> None:
@@ -176,10 +176,8 @@ def test_a_row_of_the_sheet_is_called_by_a_click(window: MainWindow, qtbot: QtBo
     sheet = window.findChild(KeySheet, "keySheet")
     assert sheet is not None
     QTest.keyClicks(sheet.search, "halfway line")
-    column = sheet.columns
-    line = column.fontMetrics().height()
-    at = QPoint(20, line + line // 4 + line // 2)  # below the title of the only section
-    QTest.mouseClick(column, Qt.MouseButton.LeftButton, pos=at)
+    at = sheet.table.visualRect(sheet.table.model().index(0, 0)).center()
+    QTest.mouseClick(sheet.table.viewport(), Qt.MouseButton.LeftButton, pos=at)
     assert window.document.state.selected_class == "Middle line"
     assert not sheet.isVisible()
     QTest.keyClick(window.canvas, Qt.Key.Key_F1)

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import DESKS as KEPT
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.workspaces import DESKS
 from tests.gui.conftest import MakeWindow, all_done
 
 # The offscreen platform has no window manager to pass these on to.
@@ -130,7 +130,7 @@ def test_what_is_kept_in_another_form_is_passed_over(
     second = make_window(dataset)
     assert opened(second) == set(DESKS["annotate"])
     second.panels.turn_to("judge")
-    assert opened(second) == {"fit"}
+    assert opened(second) == JUDGE
 
 
 @pytest.mark.new_window

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import shutil
@@ -37,44 +36,7 @@ def classes(path: Path) -> list[str]:
     return list(json.loads(path.read_text())) if path.exists() else []
 
 
-def failing_writes(monkeypatch: pytest.MonkeyPatch, code: int) -> None:
-    """From now on nothing can be written anywhere."""
-
-    real, writing = os.open, os.O_WRONLY | os.O_RDWR | os.O_CREAT
-
-    def refuse(path: str, flags: int, *args: int, **more: int) -> int:
-        if flags & writing:
-            raise OSError(code, os.strerror(code))
-        return real(path, flags, *args, **more)
-
-    monkeypatch.setattr("procc_annotator.formats.atomic.os.open", refuse)
-
-
 class TestDiskTroubles:
-    @pytest.mark.parametrize("code", [errno.ENOSPC, errno.EACCES, errno.EROFS, errno.ESTALE])
-    def test_nothing_is_lost_while_writing_fails(
-        self,
-        window: MainWindow,
-        hand: Hand,
-        dataset: Path,
-        monkeypatch: pytest.MonkeyPatch,
-        code: int,
-    ) -> None:
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        with monkeypatch.context() as broken:
-            failing_writes(broken, code)
-            hand.draw(TOP, (100, 50), (200, 50))
-            assert "NOT SAVED" in window.top_bar.saved.text()
-            assert os.strerror(code) in window.message_bar.label.text()
-            assert classes(dataset / "frame_0.json") == [MIDDLE]
-            window.document.walk.next_frame()
-            hand.draw(MIDDLE, (100, 100), (200, 200))  # the window goes on working
-        window.document.saver.retry()
-        until_kept()
-        assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
-        assert classes(dataset / "frame_1.json") == [MIDDLE]
-        assert not window.document.saver.problems
-
     def test_a_folder_that_vanishes_in_the_middle(
         self, window: MainWindow, hand: Hand, dataset: Path
     ) -> None:
@@ -106,22 +68,6 @@ class TestDiskTroubles:
         assert str(tmp_path / "data") in window.message_bar.label.text()
         window.document.editing.commit_frame()
         assert window.document.review.status("frame_0") is Status.DONE
-
-    def test_a_file_replaced_by_another_program_is_not_overwritten(
-        self, window: MainWindow, hand: Hand, dataset: Path
-    ) -> None:
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        theirs = b'{"Circle left": [{"x": 0.5, "y": 0.5}]}'
-        (dataset / "frame_0.json").write_bytes(theirs)
-        hand.draw(TOP, (100, 50), (200, 50))
-        assert (dataset / "frame_0.json").read_bytes() == theirs
-        assert window.conflict_bar.isVisible()
-        assert not window.message_bar.isVisible()  # said once
-        window.conflict_bar.overwrite_button.click()
-        assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
-        database = window.document.review.database
-        assert database is not None
-        assert len(database.versions("frame_0")) >= 2
 
     def test_a_link_that_leads_out_of_the_dataset_is_not_followed(
         self, window: MainWindow, hand: Hand, dataset: Path, tmp_path: Path

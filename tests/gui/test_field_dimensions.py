@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.batch.joint_calibration import Estimate, estimate_dimensions
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.commands.field import field_dimensions
-from procc_annotator.gui.commands.field.dimensions_dialog import FieldDimensionsDialog
+from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsDialog
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import let_work_end
 

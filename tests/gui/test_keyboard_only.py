@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.regions import Regions
+from procc_annotator.gui.window.keyboard_focus import Regions
 from tests.gui.conftest import Hand, ReadPoints
 
 # The offscreen platform has no window manager to pass these on to.

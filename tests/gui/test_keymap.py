@@ -18,8 +18,8 @@ from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.gui.keymap import PRESETS, USUAL, Keymap, clashes, from_values, to_values
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import KEYS, Settings
-from procc_annotator.gui.window.keymap_dialog import KeymapDialog
-from tests.gui.conftest import Hand, MakeWindow
+from procc_annotator.gui.window.key_dialogs import KeymapDialog
+from tests.gui.conftest import Hand, MakeWindow, sheet_text
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -116,7 +116,7 @@ def test_other_keys_work_at_once_and_are_remembered(
     assert to_values(Settings().get(KEYS))["elements"] == {"Middle line": "F"}
     window.commands.show_keys()
     sheet = window.findChild(object, "keySheet")
-    assert "F2\tNext frame" in sheet.columns.text()
+    assert "F2\tNext frame" in sheet_text(sheet)
     sheet.close()
 
 

@@ -39,12 +39,12 @@ from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.registry import FORMATS
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
-from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.tables import short_titles
-from procc_annotator.gui.window.docks import DESKS
-from procc_annotator.gui.window.keymap_dialog import KeymapDialog
+from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
+from procc_annotator.gui.window.key_dialogs import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
+from procc_annotator.gui.window.workspaces import DESKS
 from procc_annotator.report.tables.data_files import json_bytes
 from procc_annotator.translation import (
     tr,
@@ -54,7 +54,7 @@ from procc_annotator.translation import (
     translatable_count,
     translatable_joined,
 )
-from tests.gui.conftest import Hand, all_done
+from tests.gui.conftest import Hand, all_done, sheet_text
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
 # The offscreen platform has no window manager to pass these on to.
@@ -269,7 +269,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
     ):
         window.palette_.search.setText(words)
         model = window.palette_.list.model()
-        assert model.index(0, 0).data() == title
+        assert model.index(0, 1).data() == title
     window.palette_.put_away()
 
     commands.show_keys()
@@ -282,7 +282,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
         ("hold x", "X halten"),
     ):
         sheet.search.setText(words)
-        assert text in sheet.columns.text()
+        assert text in sheet_text(sheet)
     sheet.close()
 
     commands.show_settings()
@@ -297,7 +297,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
     keys = KeymapDialog(window.document.state.field, window.document.state.keymap, window)
     for words in ("blindmodus", "blind mode"):
         keys.search.setText(words)
-        assert "Blindmodus" in keys.model.rows[0].text
+        assert "Blindmodus" in keys.table.shown()[0].text
     keys.deleteLater()
 
 

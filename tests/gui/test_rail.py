@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import palette
-from procc_annotator.gui.window.icon_button import IconButton
+from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.resources import resources_dir
 from tests.gui.conftest import Hand
 

@@ -17,7 +17,7 @@ from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow, ReadPoints
+    from tests.gui.conftest import Hand, ReadPoints
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -131,42 +131,6 @@ def test_a_file_changed_outside_waits_for_a_decision(
         assert window.document.state.annotation.annotated == ("Side line top",)
         hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
         assert window.document.state.annotation.annotated == (MIDDLE, "Goal left crossbar")
-
-
-def test_an_unreadable_annotation_blocks_its_frame_only(
-    make_window: MakeWindow, dataset: Path
-) -> None:
-    file = dataset / "frame_0.json"
-    file.write_text('{"Middle line": [{"x": ')
-    window = make_window(dataset)
-    assert window.frame_bar.isVisible()
-    assert "frame_0.json" in window.frame_bar.label.text()
-    assert not window.document.state.editable
-    window.document.walk.next_frame()
-    assert not window.frame_bar.isVisible()
-    assert window.document.state.editable
-    assert file.read_text() == '{"Middle line": [{"x": '
-
-
-def test_clicks_on_a_blocked_frame_change_nothing(
-    make_window: MakeWindow, dataset: Path, qtbot: QtBot
-) -> None:
-    from PySide6.QtTest import QTest
-
-    (dataset / "frame_0.json").write_text("[]")
-    window = make_window(dataset)
-    window.document.selecting.select_class(MIDDLE)
-    canvas = window.canvas
-    for _ in range(2):
-        QTest.mouseClick(
-            canvas.viewport(),
-            Qt.MouseButton.LeftButton,
-            Qt.KeyboardModifier.NoModifier,
-            canvas.to_view(100, 100).toPoint(),
-        )
-    QTest.keyClick(canvas, Qt.Key.Key_Return)
-    assert (dataset / "frame_0.json").read_text() == "[]"
-    assert "frame_0.json" in canvas.hint
 
 
 def test_closing_finishes_a_draft_and_saves_it(

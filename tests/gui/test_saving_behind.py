@@ -241,21 +241,6 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     assert (dataset / "frame_0.json").exists() == bool(clicks_before)
 
 
-def test_a_folder_that_goes_while_it_is_written_into(
-    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
-) -> None:
-    away = dataset.with_name("unplugged")
-    disk.before = lambda: dataset.rename(away) if dataset.exists() else None
-    click(window)
-    disk.let_go()
-    qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
-    assert not dataset.exists()  # nothing was made in its place
-    disk.before = lambda: None
-    away.rename(dataset)
-    assert window.document.editing.save_now()
-    assert points_on_disk(dataset) == {MIDDLE: 1}
-
-
 def test_somebody_else_writes_before_it_is_written(
     window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:
@@ -386,25 +371,6 @@ def test_closing_waits_for_what_is_written_and_for_what_was_clicked_meanwhile(
     click(window, TOP)
     leave_meanwhile(window, disk, qtbot, window.close)
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 1}
-
-
-def test_closing_asks_where_what_is_written_fails(
-    window: MainWindow, disk: SlowDisk, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
-) -> None:
-    asked: list[list[str]] = []
-
-    def answer(_: MainWindow, problems: list[str]) -> bool:
-        asked.append(problems)
-        return False
-
-    monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", answer)
-    disk.problem = "No space left on device"
-    click(window)
-    leave_meanwhile(window, disk, qtbot, window.close)
-    assert window.isVisible()
-    assert "No space left" in asked[0][0]
-    disk.problem = ""
-    assert window.document.editing.save_now()
 
 
 def test_another_dataset_waits_for_this_one(

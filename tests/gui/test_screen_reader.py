@@ -19,7 +19,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas.split_view import DividerGrip
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.workspaces import DESKS
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

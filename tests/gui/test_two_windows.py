@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point, Polyline
 from procc_annotator.calibration.label_check.finding import Remedy, RemedyKind
-from procc_annotator.gui.commands.review.versions_command import apply_version
+from procc_annotator.gui.commands.review.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import until_kept
 

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.review.versions_dialog import (
+from procc_annotator.gui.commands.review.versions import (
     VersionRow,
     VersionsDialog,
     comparison,

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.landmarks.view_groups import load_views
-from procc_annotator.gui.commands.field.view_dialog import ViewDialog
+from procc_annotator.gui.commands.field.view_grouping import ViewDialog
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import MakeWindow
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.icon_button import IconButton
+from procc_annotator.gui.window.tool_bar import IconButton
 from tests.gui.conftest import Hand, MakeWindow
 
 pytestmark = [

@@ -10,7 +10,9 @@ from PySide6.QtCore import (
     QAbstractTableModel,
     QModelIndex,
     QPersistentModelIndex,
+    QRegularExpression,
     QSize,
+    QSortFilterProxyModel,
     Qt,
     Signal,
 )
@@ -18,6 +20,7 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
+    QLineEdit,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
@@ -27,6 +30,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.field.model import Field
 from procc_annotator.translation import is_english, tr
 
+ROW, SEARCHED = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 Index = QModelIndex | QPersistentModelIndex
@@ -79,6 +83,23 @@ class RowsModel(QAbstractTableModel, Generic[R]):
             if role == Qt.ItemDataRole.TextAlignmentRole and section >= self._first_figure:
                 return RIGHT
         return None
+
+
+def searched_rows(model: QAbstractTableModel, search: QLineEdit) -> QSortFilterProxyModel:
+    """Return the rows of a model whose `SEARCHED` text holds all the words of a search line."""
+    proxy = QSortFilterProxyModel(search)
+    model.setParent(proxy)  # or Python may delete it while the view is still there
+    proxy.setSourceModel(model)
+    proxy.setFilterRole(SEARCHED)
+
+    def narrow(text: str) -> None:
+        words = map(QRegularExpression.escape, text.split())
+        pattern = QRegularExpression("".join(f"(?=.*{word})" for word in words))
+        pattern.setPatternOptions(QRegularExpression.PatternOption.CaseInsensitiveOption)
+        proxy.setFilterRegularExpression(pattern)
+
+    search.textChanged.connect(narrow)
+    return proxy
 
 
 class LowTable(QTableView):

@@ -1,4 +1,4 @@
-"""Boxes for numbers with decimals: a comma is a point in all of them, whatever the language."""
+"""Small widgets of panels and dialogs: number boxes, empty states, notes, scrolled content."""
 
 from __future__ import annotations
 

@@ -2,35 +2,278 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import islice
+from pathlib import Path
 
-from PySide6.QtCore import QAbstractListModel, QEvent, QModelIndex, QObject, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPalette
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QPalette
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QApplication,
     QFrame,
+    QHeaderView,
     QLabel,
     QLineEdit,
-    QListView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
+    QTableView,
     QVBoxLayout,
     QWidget,
 )
 
-from procc_annotator.gui.panels.tables import Index
-from procc_annotator.gui.settings import CALLED, Settings
-from procc_annotator.gui.theme import blend
-from procc_annotator.gui.window.palette_entries import KINDS, Entry
+from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
+from procc_annotator.gui.settings import CALLED, OFFERED, RECENT, SWITCHES, Settings
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.prediction.live_fit import MODELS
+from procc_annotator.gui.theme import muted
+from procc_annotator.gui.window.menus import Actions, in_menu
+from procc_annotator.gui.window.welcome import described
+from procc_annotator.gui.window.workspaces import TITLES
+from procc_annotator.interaction.class_choice import loose_rank, match_rank, misspelt
 from procc_annotator.translation import tr, word
+
+# What sorts of things there are besides actions, which are of the sort of their menu.
+_CAMERAS, _PANEL, _SETTING, _OPEN = word("Cameras"), word("Panel"), word("Setting"), word("Open")
+_ELEMENT, _FRAME, _CAMERA = word("Element"), word("Frame"), word("Camera")
+
+_MOST_FRAMES = 30  # that are listed of those whose names fit
+_BY_DETAIL = 10  # the rank of what fits by what is said of it, behind all that fit by name
+_SELF = "palette"  # the action that shows the list, which need not be in it
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One thing that can be called.
+
+    Attributes:
+        key: what it is remembered by as called last; "" for things of one dataset.
+        kind: what sort of thing it is, its menu or another sort, marked by ``word``.
+        title: its name, as menus and panels have it.
+        detail: what it does, or where it lies.
+        keys: what else calls it, as people write it.
+        run: calls it.
+        on: whether it is on; None for what is neither.
+        enabled: whether it can be called now.
+        english: its name in English, which finds it whatever the language.
+    """
+
+    key: str
+    kind: str
+    title: str
+    detail: str
+    keys: str
+    run: Callable[[], object]
+    on: bool | None = None
+    enabled: bool = True
+    english: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return what it is called by: its name, and the English one if that is another."""
+        return (self.title,) if self.english in ("", self.title) else (self.title, self.english)
+
+
+class PaletteEntries:
+    """Lists what a window can be asked for, by what is typed."""
+
+    def __init__(
+        self,
+        document: Document,
+        actions: Actions,
+        settings: Settings,
+        show_panel: Callable[[str], object],
+        open_path: Callable[[Path], object],
+        show_setting: Callable[[str], object],
+    ) -> None:
+        self._document = document
+        self._actions = actions
+        self._settings = settings
+        self._show_panel = show_panel
+        self._open_path = open_path
+        self._show_setting = show_setting
+
+    def found(self, text: str, called: Iterable[str] = ()) -> list[Entry]:
+        """Return what fits a text, best first; for an empty one what was called last, then all
+        actions.
+
+        Args:
+            text: as it was typed.
+            called: keys of what was called last, newest first.
+        """
+        if not text.strip():
+            actions = {entry.key: entry for entry in self._of_actions()}
+            last = [actions.pop(key) for key in called if key in actions]
+            return [*last, *actions.values()]
+        entries = [*self._of_actions(), *self._of_the_window()]
+        fitting = [*entries, *islice(self._of_frames(text), _MOST_FRAMES)]
+        ranked = [(rank, e) for e in fitting if (rank := _rank(text, e)) is not None]
+        ranked.sort(key=lambda pair: (pair[0], len(pair[1].title)))
+        best = [*self._of_numbers(text), *(entry for _, entry in ranked)]
+        return best or [e for e in entries if any(misspelt(text, name) for name in e.names)]
+
+    # --- what there is ------------------------------------------------------------------------
+
+    def _of_actions(self) -> Iterator[Entry]:
+        for spec in ACTIONS:
+            if spec.name == _SELF:
+                continue
+            action, place = self._actions[spec.name], spec.menu.partition("/")[2]
+            english = spec.text.lstrip("-")
+            yield Entry(
+                f"action:{spec.name}",  # not shown
+                spec.menu.split("/")[0],
+                in_menu(spec.menu, action.text()),
+                tr(spec.tip),
+                _keys_of(action),
+                action.trigger,
+                action.isChecked() if action.isCheckable() else None,
+                action.isEnabled(),
+                f"{place}: {english}" if place else english,
+            )
+
+    def _of_the_window(self) -> Iterator[Entry]:
+        yield from self._of_elements()
+        yield from self._of_cameras()
+        yield from self._of_panels()
+        yield from self._of_settings()
+        for path in self._settings.get(RECENT):
+            yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
+
+    def _of_elements(self) -> Iterator[Entry]:
+        document = self._document
+        field = document.state.field
+        for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
+            yield Entry(
+                "",
+                _ELEMENT,
+                tr(field.title_of(name)),
+                name,
+                key_text(field, name, document.state.keymap),
+                partial(document.selecting.select_class, name, continues=True),
+                document.state.selected_class == name,
+                english=field.title_of(name),
+            )
+
+    def _of_cameras(self) -> Iterator[Entry]:
+        document = self._document
+        for index, source in enumerate(document.state.sources):
+            yield Entry(
+                "",
+                _CAMERAS,
+                tr("Judge {source}", source=source.name),
+                tr("Judge with this source"),
+                "",
+                partial(document.camera_sources.set_active_camera, index),
+                source is document.state.active,
+                english=f"Judge {source.name}",  # not shown
+            )
+        for model in MODELS:
+            yield Entry(
+                f"model:{model}",  # not shown
+                _CAMERA,
+                tr("Live fit: model {model}", model=model),
+                tr("Fit this model to the clicks; auto takes the simplest that they support"),
+                "",
+                partial(document.live_fit.set_model, model),
+                document.live_fit.model == model,
+                english=f"Live fit: model {model}",  # not shown
+            )
+
+    def _of_panels(self) -> Iterator[Entry]:
+        for name, title in TITLES.items():
+            yield Entry(
+                f"panel:{name}",  # not shown
+                _PANEL,
+                tr("Panel {title}", title=tr(title)),
+                tr("Open this panel and bring it to the front"),
+                "",
+                partial(self._show_panel, name),
+                english=f"Panel {title}",  # not shown
+            )
+
+    def _of_settings(self) -> Iterator[Entry]:
+        for setting in OFFERED:
+            if setting.shown is not None and setting.key not in SWITCHES:  # those are actions
+                yield Entry(
+                    f"setting:{setting.key}",  # not shown
+                    _SETTING,
+                    f"{tr(setting.shown.title)}…",
+                    tr(setting.text),
+                    "",
+                    partial(self._show_setting, setting.key),
+                    english=f"{setting.shown.title}…",
+                )
+
+    def _of_numbers(self, text: str) -> Iterator[Entry]:
+        """Return what a number alone may mean: a threshold, a frame."""
+        document = self._document
+        try:
+            number = float(text.replace(",", "."))
+        except ValueError:
+            return
+        if 0 < number <= 100:
+            yield Entry(
+                "",
+                _CAMERA,
+                tr("Threshold {px:g} px", px=number),
+                tr("Judge elements by this tau"),
+                "",
+                lambda: document.terms.set_tau(number),
+                document.state.tau == number,
+            )
+        count = len(document.state.workspace.frames) if document.state.workspace is not None else 0
+        if number.is_integer() and 1 <= number <= count:
+            index = int(number) - 1
+            title = tr("Frame {number} of {count}", number=int(number), count=count)
+            yield self._frame(index, title)
+
+    def _of_frames(self, text: str) -> Iterator[Entry]:
+        """Frames whose names hold every word."""
+        workspace = self._document.state.workspace
+        wanted = text.casefold().split()
+        for index, frame in enumerate(workspace.frames if workspace is not None else ()):
+            name = frame.name.casefold()
+            if all(word in name for word in wanted):
+                yield self._frame(index, frame.name)
+
+    def _frame(self, index: int, title: str) -> Entry:
+        document = self._document
+        assert document.state.workspace is not None
+        name = document.state.workspace.frames[index].name
+        return Entry(
+            "",
+            _FRAME,
+            title,
+            name if name != title else tr("Go to this frame"),
+            "",
+            lambda: document.walk.go_to(index),
+            index == document.state.frame_index,
+        )
+
+
+def _rank(text: str, entry: Entry) -> int | None:
+    ranks = [rank for name in entry.names if (rank := loose_rank(text, name)) is not None]
+    if 0 in ranks or match_rank(text, entry.keys) == 0:
+        return 0
+    if ranks:
+        return min(ranks)
+    if match_rank(text, f"{entry.kind} {' '.join(entry.names)} {entry.detail}") is not None:
+        return _BY_DETAIL
+    return None
+
+
+def _keys_of(action: QAction) -> str:
+    native = QKeySequence.SequenceFormat.NativeText
+    return "  ".join(keys.toString(native) for keys in action.shortcuts())
+
 
 _WIDTH = 680
 _ROWS = 12
 _PAD = 8
 _MARGIN = 24  # of the window that stays in sight around it
-_KIND_WIDTH = 68  # at the usual font; it grows with it
+_KIND, _TITLE, _DETAIL, _KEYS = range(4)
 _HINT = word("Enter calls it · ↑ ↓ choose · Esc closes")
 _MOVES = {
     Qt.Key.Key_Up: -1,
@@ -66,17 +309,19 @@ class CommandPalette(QFrame):
         self.search.textChanged.connect(self._show)
         self.search.installEventFilter(self)
         self.model = _Entries()
-        self.list = QListView()
+        self.list = QTableView()
         self.list.setObjectName("paletteList")
         self.list.setAccessibleName(tr("What fits"))
         self.list.setModel(self.model)
-        self.list.setItemDelegate(_EntryDelegate(self.list))
-        self.list.setUniformItemSizes(True)
-        self.list.setMouseTracking(True)
+        list_rows(self.list, room=_PAD)
         self.list.setFrameShape(QFrame.Shape.NoFrame)
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the line keeps the keyboard
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        columns = self.list.horizontalHeader()
+        columns.hide()
+        columns.setResizeContentsPrecision(0)  # of the rows in sight
+        columns.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        columns.setSectionResizeMode(_DETAIL, QHeaderView.ResizeMode.Stretch)
         self.list.clicked.connect(self._call)
         self.hint = QLabel(tr(_HINT))
         self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
@@ -113,8 +358,8 @@ class CommandPalette(QFrame):
     def place(self) -> None:
         """In the middle of the window's width, below its top, no larger than its room."""
         room = self._window.size() - QSize(2 * _MARGIN, 2 * _MARGIN)
-        row = self.list.sizeHintForRow(0) if self.model.rowCount() else 0
-        self.list.setFixedHeight(_ROWS * max(row, self.fontMetrics().height() + _PAD))
+        self.list.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + _PAD)
+        self.list.setFixedHeight(_ROWS * self.list.verticalHeader().defaultSectionSize())
         size = self.sizeHint().expandedTo(QSize(_WIDTH, 0)).boundedTo(room)
         self.setFixedSize(size)
         self.move((self._window.width() - size.width()) // 2, 2 * _MARGIN)
@@ -124,14 +369,14 @@ class CommandPalette(QFrame):
     def _show(self) -> None:
         text = self.search.text()
         self.model.replace(self._found(text, self._settings.get(CALLED)))
-        self.list.setCurrentIndex(self.model.index(0))
+        self.list.setCurrentIndex(self.model.index(0, _TITLE))
         self.list.scrollToTop()
         found = self.model.rowCount() > 0
         nothing = tr("Nothing is called “{text}”.", text=text.strip())
         self.hint.setText(tr(_HINT) if found else nothing)
 
     def _call(self, index: Index) -> None:
-        entry = self.model.entry(index.row())
+        entry = self.model.rows[index.row()] if index.isValid() else None
         if entry is None or not entry.enabled:
             return
         if entry.key:
@@ -162,7 +407,7 @@ class CommandPalette(QFrame):
         if key in _MOVES:
             last = self.model.rowCount() - 1
             row = self.list.currentIndex().row() + _MOVES[key]
-            self.list.setCurrentIndex(self.model.index(min(max(row, 0), last)))
+            self.list.setCurrentIndex(self.model.index(min(max(row, 0), last), _TITLE))
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._call(self.list.currentIndex())
         elif key == Qt.Key.Key_Escape:
@@ -177,32 +422,21 @@ def _calls_palette(event: QKeyEvent) -> bool:
     return held and event.key() == Qt.Key.Key_K
 
 
-class _Entries(QAbstractListModel):
-    """What fits, for the list; read aloud as title, keys and what it does."""
+class _Entries(RowsModel[Entry]):
+    """What fits, as kind, title, detail and keys; read aloud with all of them."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self._entries: Sequence[Entry] = ()
-
-    def replace(self, entries: Sequence[Entry]) -> None:
-        self.beginResetModel()
-        self._entries = entries
-        self.endResetModel()
-
-    def entry(self, row: int) -> Entry | None:
-        return self._entries[row] if 0 <= row < len(self._entries) else None
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
-        return 0 if parent.isValid() else len(self._entries)
+        super().__init__(("",) * 4)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
-        entry = self.entry(index.row())
-        if entry is None:
-            return None
+        entry, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
-            return entry.title
+            title = f"✓ {entry.title}" if entry.on else entry.title
+            return (tr(entry.kind), title, entry.detail, entry.keys)[column]
         if role == Qt.ItemDataRole.ToolTipRole:
             return entry.detail
+        if role == Qt.ItemDataRole.ForegroundRole and column in (_KIND, _DETAIL):
+            return muted(QApplication.palette())
         if role == Qt.ItemDataRole.AccessibleTextRole:
             state = {None: "", True: tr("on"), False: tr("off")}[entry.on]
             parts = (tr(entry.kind), entry.title, state, entry.keys, entry.detail)
@@ -210,65 +444,5 @@ class _Entries(QAbstractListModel):
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        entry = self.entry(index.row())
-        if entry is None or not entry.enabled:
-            return Qt.ItemFlag.NoItemFlags
-        return super().flags(index)
-
-
-class _EntryDelegate(QStyledItemDelegate):
-    """One line: the sort of thing, its name, what it does as far as there is room, its keys."""
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        return QSize(0, option.fontMetrics.height() + _PAD)
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        model = index.model()
-        entry = model.entry(index.row()) if isinstance(model, _Entries) else None
-        if entry is None:
-            return
-        painter.save()
-        text, quiet = self._ground(painter, option, entry.enabled)
-        metrics = option.fontMetrics
-        room = option.rect.adjusted(_PAD, 0, -_PAD, 0)
-        align = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
-        painter.setFont(option.font)
-        painter.setPen(quiet)
-        widest = max(metrics.horizontalAdvance(tr(kind)) for kind in KINDS)
-        kind_width = max(_KIND_WIDTH, widest + 2 * _PAD)
-        at = QRect(room.topLeft(), QSize(kind_width, room.height()))
-        painter.drawText(at, align, tr(entry.kind))
-        keys_width = metrics.horizontalAdvance(entry.keys)
-        if entry.keys:
-            at = room.adjusted(room.width() - keys_width, 0, 0, 0)
-            painter.setPen(text)
-            painter.drawText(at, align, entry.keys)
-            room = room.adjusted(0, 0, -keys_width - 2 * _PAD, 0)
-        room = room.adjusted(kind_width, 0, 0, 0)
-        title = f"✓ {entry.title}" if entry.on else entry.title
-        elide = Qt.TextElideMode.ElideRight
-        shown = metrics.elidedText(title, elide, room.width())
-        painter.setPen(text)
-        painter.drawText(room, align, shown)
-        room = room.adjusted(metrics.horizontalAdvance(shown) + 2 * _PAD, 0, 0, 0)
-        if room.width() > kind_width:
-            painter.setPen(quiet)
-            painter.drawText(room, align, metrics.elidedText(entry.detail, elide, room.width()))
-        painter.restore()
-
-    def _ground(
-        self, painter: QPainter, option: QStyleOptionViewItem, enabled: bool
-    ) -> tuple[QColor, QColor]:
-        """Paint what is below a row; the colours of its text and of what steps back."""
-        group = QPalette.ColorGroup.Active if enabled else QPalette.ColorGroup.Disabled
-        colours: QPalette = option.palette
-        base = colours.color(QPalette.ColorRole.Base)
-        text = colours.color(group, QPalette.ColorRole.Text)
-        if option.state & QStyle.StateFlag.State_Selected:
-            base = colours.color(QPalette.ColorRole.Highlight)
-            text = colours.color(QPalette.ColorRole.HighlightedText)
-            painter.fillRect(option.rect, base)
-        elif option.state & QStyle.StateFlag.State_MouseOver:
-            base = blend(base, text, 0.07)
-            painter.fillRect(option.rect, base)
-        return text, blend(text, base, 0.25)
+        enabled = self.rows[index.row()].enabled
+        return super().flags(index) if enabled else Qt.ItemFlag.NoItemFlags

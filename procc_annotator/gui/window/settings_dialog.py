@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.widgets import RangeBox, ScrolledContent, empty_state
 from procc_annotator.gui.settings import FLAG, NUMBER, OFFERED, Setting, Shown
-from procc_annotator.gui.window.options import Options
+from procc_annotator.gui.window.window_settings import Options
 from procc_annotator.translation import tr
 
 _SIZE = QSize(680, 640)

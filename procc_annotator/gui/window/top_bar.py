@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QAction, QKeySequence, QPainter, QPaintEvent
+from html import escape
+
+from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QAction, QColor, QFontMetrics, QKeySequence, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
+    QComboBox,
     QHBoxLayout,
+    QLabel,
     QMenu,
     QSizePolicy,
+    QSlider,
     QStyle,
     QStyleOptionToolButton,
     QStylePainter,
@@ -16,17 +21,242 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.icons import paint_icon
+from procc_annotator.gui.panels.widgets import RangeBox
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.theme import fixed_width
-from procc_annotator.gui.window.apart import Apart
-from procc_annotator.gui.window.camera_bar import CameraBar
-from procc_annotator.gui.window.icon_button import IconButton
+from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.save_state import SaveState
-from procc_annotator.gui.window.status import SteadyLabel
-from procc_annotator.translation import tr
+from procc_annotator.gui.window.status import Apart, ElidedLabel, PaintedText, SteadyLabel
+from procc_annotator.gui.window.tool_bar import IconButton
+from procc_annotator.translation import tr, tr_count, word
+
+
+class TauControl(QWidget):
+    """The threshold as a slider and a number; both change it live."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        tip = tr("Threshold tau: an element passes when all its points are nearer (+ and -)")
+        label = QLabel("τ")
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setObjectName("tauSlider")
+        self.slider.setRange(round(MIN_TAU * 10), round(MAX_TAU * 10))
+        self.slider.setSingleStep(5)
+        self.slider.setPageStep(20)
+        self.slider.setFixedWidth(100)
+        self.spin = RangeBox()
+        self.spin.refused.connect(self.spin.tell_refused)
+        self.spin.setObjectName("tauSpin")
+        self.spin.setRange(MIN_TAU, MAX_TAU)
+        self.spin.setDecimals(1)
+        self.spin.setSingleStep(0.5)
+        self.spin.setSuffix(" px")
+        self.spin.setKeyboardTracking(False)
+        self.spin.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 0)
+        for widget in (label, self.slider, self.spin):
+            widget.setToolTip(tip)
+            widget.setAccessibleName(tr("Threshold tau"))
+            layout.addWidget(widget)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        self.slider.valueChanged.connect(lambda tenths: document.terms.set_tau(tenths / 10))
+        self.spin.valueChanged.connect(document.terms.set_tau)
+        document.store.watch(lambda s: s.tau, self._show)
+        self._document = document
+        self._show()
+
+    def _show(self) -> None:
+        tau = self._document.state.tau
+        with QSignalBlocker(self.slider), QSignalBlocker(self.spin):
+            self.slider.setValue(round(tau * 10))
+            self.spin.setValue(tau)
+
+
+_NO_CAMERA = word("no camera")
+_WIDEST_CAMERA = 14  # average letters
+_JAC_TIP = word("Jaccard index of this frame at tau")
+
+
+class CameraBar(QWidget):
+    """Is there only where a camera is loaded or judged."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self.setObjectName("cameraBar")
+        self._document = document
+        self._listed: list[str] = []
+        self.tau = TauControl(document)
+        self.cameras = QComboBox()
+        self.cameras.setObjectName("cameraCombo")
+        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.cameras.setToolTip(tr("The camera set that is judged (C switches)"))
+        self.cameras.activated.connect(lambda i: document.camera_sources.set_active_camera(i - 1))
+        self.jac = SteadyLabel()
+        self.jac.setTextFormat(Qt.TextFormat.RichText)
+        self.jac.setObjectName("judgedJac")
+        self.jac.setFont(fixed_width(self.jac.font()))
+        self.jac.setToolTip(tr(_JAC_TIP))
+        self.jac.setContentsMargins(6, 0, 2, 0)
+        self.terms = ElidedLabel()
+        self.terms.setObjectName("judgedTerms")
+        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
+        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        for widget in (self.tau, self.cameras, self.jac):
+            row.addWidget(widget)
+        row.addWidget(self.terms, 1)
+        store = document.store
+        store.watch(lambda s: (s.looks, s.active), self._show_cameras)
+        store.watch(judged, self._show_score)
+        self._show_cameras()
+
+    def _show_cameras(self) -> None:
+        """The loaded sets and the active one."""
+        document = self._document
+        names = [tr(_NO_CAMERA), *(s.name for s in [look.cameras for look in document.state.looks])]
+        with QSignalBlocker(self.cameras):
+            if names != self._listed:
+                self._fill_cameras(names)
+            active = document.state.active_cameras
+            chosen = (
+                -1
+                if active is None
+                else [look.cameras for look in document.state.looks].index(active)
+            )
+            self.cameras.setCurrentIndex(chosen + 1)
+        self.cameras.setEnabled(bool([look.cameras for look in document.state.looks]))
+        loaded = any(s is not document.fit_source.source for s in document.state.sources)
+        self.setVisible(loaded or document.state.active is not None)
+        self._show_score()
+
+    def _fill_cameras(self, names: list[str]) -> None:
+        self._listed = names
+        self.cameras.clear()
+        self.cameras.addItems(names)
+        # Where room is short, the terms give way, not the camera's name.
+        widest = _WIDEST_CAMERA * self.fontMetrics().averageCharWidth() + 40
+        self.cameras.setMaximumWidth(widest)
+        self.cameras.setMinimumWidth(min(widest, self.cameras.sizeHint().width()))
+
+    def _show_score(self) -> None:
+        """JaC, or why there is none."""
+        document = self._document
+        score = document.judge.score
+        if score is not None and (why := document.state.why_not_judged):
+            self.jac.setText(tr("<b>JaC –</b> {why}", why=escape(why)))
+        elif score is not None:
+            own = document.state.active is document.fit_source.source
+            said = tr("<b>JaC {jac:.3f}</b> of the fit") if own else "<b>JaC {jac:.3f}</b>"
+            self.jac.setText(said.format(jac=score.jac))
+        elif document.state.active_cameras is None:
+            self.jac.setText("")
+        elif not document.state.projection_visible:
+            self.jac.setText(tr("<b>blind</b>: commit to see JaC"))
+        else:
+            words = tr("camera unreadable") if document.judge.shown.error else tr("no camera here")
+            self.jac.setText(f"<b>{words}</b>")
+        hidden = not document.state.projection_visible
+        error = "" if hidden else document.judge.shown.error
+        self.jac.setToolTip(error or tr(_JAC_TIP))
+        camera = document.judge.camera
+        ground_only = camera is not None and projects_only_ground(camera)
+        terms = document.state.setup.describe(ground_only=ground_only)
+        self.terms.set_text(terms)
+        self.terms.setToolTip(tr("What the score is computed with: {terms}", terms=terms))
+
+
+_SAVED_PAD = 4
+_ALARM_PAD = 6
+
+
+class SaveState(PaintedText):
+    """Says so in a word or two; what is not saved stands out.
+
+    With every click the words change twice, and nothing is laid out anew for that.
+    """
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self.setObjectName("savedState")
+        self.setFont(fixed_width(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self._document, self._alarm = document, False
+        self._asked_for = QSize()
+        store = document.store
+        store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
+        document.saver.begun.connect(self._show)
+        document.saver.settled.connect(self._show)
+        self._show()
+
+    def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
+        """Show some words, with all of it in the tip."""
+        if tip != self.toolTip():
+            self.setToolTip(tip)
+        if (text, alarm) == (self.text(), self._alarm):
+            return
+        self._alarm = alarm
+        self.set_text(text)
+        before, self._asked_for = self._asked_for, self.sizeHint()
+        if before != self._asked_for:
+            self.updateGeometry()
+
+    def minimumSizeHint(self) -> QSize:
+        """Room for the usual words, so that neighbours stay where they are."""
+        metrics = self._metrics()
+        words = tr("saved {time}", time="00:00:00")
+        usual = self.fontMetrics().horizontalAdvance(words) + 2 * _SAVED_PAD
+        said = metrics.horizontalAdvance(self.text()) + 2 * self._pad
+        return QSize(max(usual, said), metrics.height() + 2 * _SAVED_PAD)
+
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, area = QPainter(self), self.rect()
+        colour = self.palette().windowText().color()
+        if self._alarm:
+            ground, text = alarm_colours(self.palette())
+            painter.fillRect(area, QColor(ground))
+            painter.setFont(fixed_width(self.font(), bold=True))
+            colour = QColor(text)
+        painter.setPen(colour)
+        edge = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(
+            area.adjusted(self._pad, _SAVED_PAD, -self._pad, -_SAVED_PAD), edge, self.text()
+        )
+
+    @property
+    def _pad(self) -> int:
+        return _ALARM_PAD if self._alarm else _SAVED_PAD
+
+    def _metrics(self) -> QFontMetrics:
+        if not self._alarm:
+            return self.fontMetrics()
+        return QFontMetrics(fixed_width(self.font(), bold=True))
+
+    def _show(self) -> None:
+        saver = self._document.saver
+        problems = saver.problems
+        if problems:
+            tip = "\n".join(str(p) for p in problems.values())
+            said = tr_count(len(problems), "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
+            self.set_saved(said, alarm=True, tip=tip)
+        elif saver.under_way:
+            self.set_saved(tr("saving..."), alarm=False)
+        elif saver.saved_at is not None:
+            self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
+        elif self._document.state.frame is not None:
+            self.set_saved(tr("no changes"), alarm=False)
+        else:
+            self.set_saved("", alarm=False)
+
 
 _PAD = 5
 _WIDEST_CHIP = 30  # average letters

@@ -1,28 +1,313 @@
 """The dimensions of the dataset's field: entered, or found from all of its frames; and where on
-its lines the clicks lie."""
+its lines the clicks lie.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
+from html import escape
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.batch.joint_calibration import Estimate, estimate_dimensions
-from procc_annotator.calibration.joint.field_dimensions import FittedDimension
+from procc_annotator.calibration.joint.field_dimensions import DEFAULT_DIMENSIONS, FittedDimension
+from procc_annotator.field.dimensions import Dimension, violated_relation
 from procc_annotator.field.load import stadium_of
 from procc_annotator.field.markings import has_off_centre_markings
-from procc_annotator.field.model import MEASURED_LINE
+from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
 from procc_annotator.gui.commands.dialog_task import DialogTask
-from procc_annotator.gui.commands.field.dimensions_dialog import FieldDimensionsDialog
 from procc_annotator.gui.messages import as_sentence
+from procc_annotator.gui.panels.widgets import RangeBox, note_label, show_note
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.translation import tr, tr_count
+from procc_annotator.translation import tr, tr_count, word
+
+_WIDTH = 440
+_OWN = word(
+    "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
+    " it; they name the dimensions they were computed with."
+)
+_STADIUMS = word(
+    "Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is"
+    " for all others, and for what stadiums leave open."
+)
+_AT_MIDDLE = word(
+    "Scores then differ from those of official evaluations, which take lines where the rules"
+    " measure them; they say so."
+)
+_LINES = (
+    (MEASURED_LINE, word("where the rules measure")),
+    (MIDDLE_LINE, word("the middle of the paint")),
+)
+_LINES_TIP = word(
+    "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
+    " paint's width away: choose it where that matters, as in halls and near the camera."
+)
+_FIXED_SIDES = word(
+    "Only length and width are found from frames, and the rules fix those of this field"
+)
+_FINEST = 4  # decimals of a metre
+
+
+class FieldDimensionsDialog(QDialog):
+    """A number a dimension, and what the set says of them; shows nothing but what it is
+    reported."""
+
+    chosen = Signal()  # other numbers, or lines elsewhere
+    estimateWanted = Signal()
+    stopWanted = Signal()
+
+    def __init__(self, parent: QWidget, field: Field) -> None:
+        super().__init__(parent)
+        self.setObjectName("fieldDimensionsDialog")
+        self.setWindowTitle(tr("Field dimensions: {field}", field=tr(field.title)))
+        self._field = field
+        self._dimensions = [d for d in field.dimensions if d.is_open]
+        self.boxes: dict[str, RangeBox] = {}
+        self.rules: dict[str, QLabel] = {}
+        self._broken = ""
+        self._refused: set[str] = set()  # numbers out of the rules that nobody has looked at yet
+        self._make_estimate()
+        self.broken = note_label("dimensions_broken")
+        self.broken.setTextFormat(Qt.TextFormat.RichText)
+        self.note = note_label("dimensions_note")
+        self.found = note_label("dimensions_found")
+        estimating = QHBoxLayout()
+        estimating.addWidget(self.estimate_button)
+        estimating.addWidget(self.bar, 1)
+        estimating.addStretch(0)
+        layout = QVBoxLayout(self)
+        layout.addLayout(self._form())
+        layout.addWidget(self.broken)
+        layout.addWidget(self.note)
+        layout.addLayout(estimating)
+        layout.addWidget(self.found)
+        layout.addStretch(1)
+        layout.addWidget(self._buttons())
+        self._tell_official()
+        self.setMinimumWidth(max(_WIDTH, self.minimumSizeHint().width()))
+
+    def _form(self) -> QFormLayout:
+        """A row a dimension, with what the rules say of it, and where the clicks lie."""
+        form = QFormLayout()
+        for dimension in self._dimensions:
+            box = self.boxes[dimension.name] = _box(dimension)
+            box.valueChanged.connect(self._changed)
+            box.refused.connect(partial(self._tell_refused, dimension))
+            box.lineEdit().textEdited.connect(partial(self._tell_rule, dimension))
+            row = QHBoxLayout()
+            row.addWidget(box)
+            rule = self.rules[dimension.name] = QLabel()
+            rule.setTextFormat(Qt.TextFormat.RichText)
+            self._tell_rule(dimension)
+            row.addWidget(rule)
+            row.addStretch(1)
+            form.addRow(f"{tr(dimension.title)}:", row)
+        widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
+        for box in self.boxes.values():  # what the rules say of each stands in a column
+            box.setMinimumWidth(widest)
+        self.lines_box = QComboBox()
+        self.lines_box.setObjectName("dimensions_lines")
+        self.lines_box.setToolTip(tr(_LINES_TIP))
+        for lines, words in _LINES:
+            self.lines_box.addItem(tr(words), lines)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(self._field.lines))
+        self.lines_box.currentIndexChanged.connect(self._changed)
+        if has_off_centre_markings(self._field):
+            form.addRow(tr("Clicks lie on:"), self.lines_box)
+        else:
+            self.lines_box.setParent(self)
+            self.lines_box.hide()
+        return form
+
+    def _make_estimate(self) -> None:
+        self.estimate_button = QPushButton(tr("Estimate from this set"))
+        self.estimate_button.setAutoDefault(False)
+        self.estimate_button.clicked.connect(self._estimate)
+        if not any(d.name in DEFAULT_DIMENSIONS for d in self._dimensions):
+            self.estimate_button.setEnabled(False)
+            self.estimate_button.setToolTip(tr(_FIXED_SIDES))
+        self.bar = QProgressBar()
+        self.bar.setTextVisible(False)
+        self.bar.hide()
+        self._running = False
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The numbers, metres."""
+        return {name: round(box.value(), box.decimals()) for name, box in self.boxes.items()}
+
+    @property
+    def breaks_a_rule(self) -> bool:
+        """Return whether the rules do not allow the numbers together."""
+        return bool(self._broken)
+
+    @property
+    def lines(self) -> str:
+        """Return where the clicks lie, one of `LINES`."""
+        return str(self.lines_box.currentData())
+
+    def set_values(self, values: Mapping[str, float]) -> None:
+        """Show other numbers, as if they were entered together."""
+        for name, value in values.items():
+            box = self.boxes[name]
+            blocked = box.blockSignals(True)
+            box.setValue(value)
+            box.blockSignals(blocked)
+        for dimension in self._dimensions:
+            if dimension.name in values:
+                self._tell_rule(dimension)
+        self._changed()
+
+    def set_running(self, running: bool) -> None:
+        """While the set is examined the button stops that."""
+        self._running = running
+        self.estimate_button.setText(tr("Stop") if running else tr("Estimate from this set"))
+        self.bar.setVisible(running)
+        self.bar.setRange(0, 0)
+
+    def advance(self, done: int, total: int) -> None:
+        """Show how far the work is."""
+        self.bar.setRange(0, total)
+        self.bar.setValue(done)
+
+    def tell(self, text: str) -> None:
+        """Say what came of it."""
+        show_note(self.found, text)
+        self.adjustSize()
+
+    def _buttons(self) -> QDialogButtonBox:
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        keep = buttons.addButton(
+            tr("Keep for this dataset"), QDialogButtonBox.ButtonRole.AcceptRole
+        )
+        buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
+        keep.setDefault(True)  # or Enter would cancel
+        self.nominal_button = buttons.addButton(
+            tr("Nominal"), QDialogButtonBox.ButtonRole.ResetRole
+        )
+        self.nominal_button.setToolTip(tr("The field as official evaluations take it"))
+        self.nominal_button.setAutoDefault(False)
+        self.nominal_button.clicked.connect(self._set_nominal)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        return buttons
+
+    def accept(self) -> None:
+        """Closes, unless a number was just refused or the rules do not allow them together: that is
+        to be seen first."""
+        for box in self.boxes.values():
+            box.interpretText()
+        if not self._refused and not self.breaks_a_rule:
+            super().accept()
+        self._refused.clear()
+
+    def _set_nominal(self) -> None:
+        blocked = self.lines_box.blockSignals(True)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED_LINE))
+        self.lines_box.blockSignals(blocked)
+        self.set_values({d.name: d.nominal for d in self._dimensions})
+
+    def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
+        d, label = dimension, self.rules[dimension.name]
+        label.setText(
+            tr(
+                "nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m",
+                nominal=d.nominal,
+                minimum=d.minimum,
+                maximum=d.maximum,
+            )
+        )
+        label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        self._refused.discard(d.name)
+
+    def _tell_refused(self, dimension: Dimension, number: float) -> None:
+        d, label = dimension, self.rules[dimension.name]
+        label.setText(
+            tr(
+                "<b>not {number:g} m: the rules allow {minimum:g} to {maximum:g} m</b>",
+                number=number,
+                minimum=d.minimum,
+                maximum=d.maximum,
+            )
+        )
+        label.setForegroundRole(QPalette.ColorRole.WindowText)
+        self._refused.add(d.name)
+
+    def _changed(self) -> None:
+        self._tell_official()
+        self._tell_broken()
+        self.chosen.emit()
+
+    def _tell_broken(self) -> None:
+        values = {d.name: d.value for d in self._field.dimensions} | self.values
+        self._broken = violated_relation(self._field.relations, values)
+        told = self._broken[:1].upper() + self._broken[1:]
+        show_note(self.broken, f"<b>{escape(told)}</b>" if told else "")
+
+    def _tell_official(self) -> None:
+        own = any(self.values[d.name] != d.nominal for d in self._dimensions)
+        nominal = ", ".join(f"{_within(d)} {d.nominal:g} m" for d in self._dimensions)
+        notes = [tr(_OWN, nominal=nominal)] if own else []
+        if self.lines == MIDDLE_LINE:
+            notes.append(tr(_AT_MIDDLE))
+        if (stadiums := self._field.stadiums) is not None:
+            frames = tr_count(len(stadiums.frames), "{n} frame", "{n} frames")
+            known = tr_count(len(stadiums.dimensions), "{n} stadium", "{n} stadiums")
+            notes.append(tr(_STADIUMS, frames=frames, stadiums=known))
+        show_note(self.note, "\n".join(notes))
+
+    def _estimate(self) -> None:
+        (self.stopWanted if self._running else self.estimateWanted).emit()
+
+
+def _within(dimension: Dimension) -> str:
+    """Its title within a sentence; only English is known to write it small there."""
+    title = tr(dimension.title)
+    return title.lower() if title == dimension.title else title
+
+
+def _box(dimension: Dimension) -> RangeBox:
+    box = RangeBox()
+    box.setObjectName(f"dimension_{dimension.name}")
+    box.setDecimals(_decimals(dimension))
+    box.setSingleStep(_step(dimension))
+    box.setRange(dimension.minimum, dimension.maximum)
+    box.setSuffix(" m")
+    box.setValue(dimension.value)
+    box.setAccessibleName(tr(dimension.title))
+    return box
+
+
+def _decimals(dimension: Dimension) -> int:
+    """As many as its numbers need, centimetres at least."""
+    numbers = dimension.minimum, dimension.nominal, dimension.maximum, dimension.value
+    enough = (n for n in range(2, _FINEST) if all(abs(v - round(v, n)) < 1e-9 for v in numbers))
+    return next(enough, _FINEST)
+
+
+def _step(dimension: Dimension) -> float:
+    """Return what an arrow adds: so that the range is some tens of steps."""
+    steps = (0.1, 0.05, 0.01, 0.005, 0.001)
+    reach = dimension.maximum - dimension.minimum
+    return float(next((step for step in steps if reach >= 10 * step), 10.0**-_FINEST))
+
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
 

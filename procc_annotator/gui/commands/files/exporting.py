@@ -1,22 +1,251 @@
-"""Exports of the whole set, in the background."""
+"""Writing to files: annotations, scores, provenance, overview, other formats, fitted cameras."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.batch.calibration import fitted_folder, save_fit
+from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace, dataset_frames
+from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.state.background import JobControl, run_in_background
+from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
+from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.report.window_tables import OverviewRow, overview_csv, overview_rows
 from procc_annotator.translation import tr, tr_count
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
+    from procc_annotator.report.conversion_output import Converted
+
+
+_LISTED = 200
+
+
+class ExportAs(DialogTask):
+    """Asks for format and place, writes in the background, and says what was lost."""
+
+    dialog: ExportDialog | None
+
+    def ask(self) -> None:
+        """Show the dialog."""
+        from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
+
+        if opened_frame(self._document) is None:
+            return
+        self._leave()
+        self.dialog = dialog = ExportDialog(self._parent)
+        dialog.started.connect(self._ask_path)
+        dialog.cancelled.connect(self.cancel)
+        dialog.open()
+
+    def start(self, out: Path) -> None:
+        """Write to a folder or archive, as the dialog says."""
+        from procc_annotator.report.conversion import export_as
+        from procc_annotator.report.conversion_output import ConversionRequest
+
+        document, dialog = self._document, self.dialog
+        if dialog is None:
+            return
+        unsaved = tr("Not everything could be saved: what is on disk goes.")
+        said = "" if document.editing.save_now() else unsaved
+        review, reopen = document.review, document.opening.reopener()
+        drafts = set(review.database.drafts()) if review.database is not None else set()
+        wanted = ConversionRequest(
+            dialog.format.name,
+            dialog.line_width.value(),
+            overwrite=dialog.overwrite.isChecked(),
+            keep_optional=dialog.keep_optional.isChecked(),
+            pictures=dialog.pictures.isChecked() and dialog.format.pictures is not None,
+        )
+        dialog.set_running(True)
+
+        def write(control: JobControl) -> Converted:
+            return export_as(
+                reopen(), out, wanted, drafts=drafts, progress=control.progress_or_stop
+            )
+
+        self._work.start(write, lambda done: self._tell(done, said), progress=dialog.advance)
+
+    def cancel(self) -> None:
+        """Stop; an archive is then not there, files of single frames may be."""
+        if self._work.cancel():
+            self._fail(tr("Cancelled; files that were written already are still there."))
+
+    def _ask_path(self) -> None:
+        workspace = self._document.state.workspace
+        if self.dialog is not None and workspace is not None:
+            out = self.dialog.ask_path(workspace.folder.parent)
+            if out is not None:
+                self.start(out)
+
+    def _leave(self) -> None:
+        if self._work.cancel():
+            # Once all have heard of the other dataset, for which the message bar is cleared.
+            QTimer.singleShot(0, self, self._tell_cut_short)
+        super()._leave()
+
+    def _tell_cut_short(self) -> None:
+        self._document.say(
+            tr("export: cancelled; files that were written already are still there"), "warning"
+        )
+
+    def _tell(self, done: Converted, said: str) -> None:
+        if self.dialog is None:
+            return
+        headline = (
+            _written(done)
+            if done.frames
+            else tr("Nothing was written: no frame is annotated, or none could be written.")
+        )
+        self.dialog.set_running(False)
+        self.dialog.tell(
+            "\n".join(filter(None, (headline, said))),
+            (tr("Not written"), done.problems[:_LISTED]),
+            (tr("What the format cannot hold"), done.losses),
+        )
+
+
+def _written(done: Converted) -> str:
+    return tr(
+        "{frames}, {elements} and {points} written to {path} ({format}).",
+        frames=tr_count(done.frames, "{n:,} frame", "{n:,} frames"),
+        elements=tr_count(done.elements, "{n:,} element", "{n:,} elements"),
+        points=tr_count(done.points, "{n:,} point", "{n:,} points"),
+        path=done.path,
+        format=done.title,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Saved:
+    """A camera on disk, and the folder's cameras read again where they are a source."""
+
+    path: Path
+    frame: str
+    again: tuple[tuple[CameraSource, CameraSet], ...]
+    left_open: str  # what the clicks hardly determine
+    problem: str = ""
+
+
+class FitSaving(QObject):
+    """Slot of the action that saves the fit; what came of it is a message of the document."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__(document)
+        self._document = document
+
+    def save(self) -> None:
+        """Write the fit on screen into the dataset's folder of fits, in the background."""
+        document = self._document
+        frame, workspace = opened_frame(document), document.state.workspace
+        insight = document.live_fit.insight
+        if frame is None or workspace is None:
+            return
+        if insight is None or insight.fit.camera is None:
+            document.say(self._why_none())
+            return
+        if not document.editing.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
+        if document.live_fit.insight is not insight:
+            document.say(tr("the fit is worked out again: save it in a moment"))
+            return
+        if document.state.picture_size != insight.fit.size:
+            document.say(
+                tr(
+                    "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
+                    " size; not saved",
+                    frame=frame.name,
+                ),
+                "warning",
+            )
+            return
+        folder = fitted_folder(workspace.folder)
+        loaded = [
+            (source, source.files)
+            for source in document.state.sources
+            if source.files is not None and _same(source.files.path, folder)
+        ]
+        left_open = ill_conditioned_reason(insight.fit)
+        annotation, fit, field = (
+            insight.annotation,
+            insight.fit,
+            document.judge.frame_setup.field.described,
+        )
+
+        def work(control: JobControl) -> _Saved:
+            path = save_fit(folder, frame.name, annotation, fit, field=field)
+            try:
+                again = tuple(
+                    (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
+                )
+            except (ProccError, OSError) as error:
+                return _Saved(path, frame.name, (), left_open, str(error))
+            return _Saved(path, frame.name, again, left_open)
+
+        # Each is written, however soon the next one is asked for.
+        run_in_background(
+            work,
+            on_result=self._tell,
+            on_error=lambda text: document.say(text, "error"),
+            owner=self,
+            priority=Priority.IMMEDIATE,
+        )
+
+    def _tell(self, saved: _Saved) -> None:
+        document = self._document
+        for source, cameras in saved.again:
+            if source in document.state.sources:
+                document.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
+        if saved.problem:
+            document.say(
+                tr(
+                    "saved as {path}, but the loaded cameras could not be read again: {problem}",
+                    path=saved.path,
+                    problem=saved.problem,
+                ),
+                "warning",
+            )
+            return
+        said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
+        if saved.left_open:
+            document.say(
+                tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
+                "warning",
+            )
+        else:
+            document.say(said)
+
+    def _why_none(self) -> str:
+        live = self._document.live_fit
+        if barred := self._document.blind_lock.no_fit:
+            return barred
+        if not live.wanted:
+            return tr("the live fit is off (Ctrl+T)")
+        if not live.allowed:
+            return tr("blind: the fit is hidden until this frame is committed (Ctrl+Enter)")
+        failure = live.result.failure if live.result is not None else None
+        if failure:
+            return tr("no camera to save: {why}", why=failure)
+        return tr("no camera to save: the fit is not there yet")
+
+
+def _same(some: Path, other: Path) -> bool:
+    return os.path.realpath(some) == os.path.realpath(other)
+
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
 

@@ -1,4 +1,4 @@
-"""What all plots share: axes in both themes, items used again, pages that say why they are empty.
+"""The base of all plot pages: axes in both themes, reused items, reasons for being empty.
 
 pyqtgraph is imported when the first page is made (it takes 0.3 s).
 """

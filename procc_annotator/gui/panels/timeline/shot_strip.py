@@ -1,7 +1,7 @@
 """The timeline below the picture: every frame of a video or a shot, to see and to go to.
 
 It is shown for frames that follow one another. It takes room from the picture, which must not move
-under a click: if it is found late, it waits for the next frame unless nothing was begun in this one.
+under a click: if it is found late, it waits for the next frame unless this one was begun.
 """
 
 from __future__ import annotations

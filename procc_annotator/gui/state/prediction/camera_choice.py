@@ -8,11 +8,15 @@ something is annotated after it.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
+from procc_annotator.assist.track_anchors import CameraCorrection
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.proposal import SURE
+from procc_annotator.calibration.single_image.proposal import SURE, Proposal
+from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
@@ -23,6 +27,34 @@ from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.store import Store
 
 _KEPT = 8
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CameraChoice:
+    """A camera that was found without clicks, or dragged.
+
+    Attributes:
+        fit: the camera; None if none was found.
+        doubt: why it should be checked first; empty if it is sure.
+    """
+
+    fit: FitResult | None = None
+    doubt: str = ""
+
+
+def choose_camera(
+    corrected: CameraCorrection | None, tracked: TrackedFrame | None, proposal: Proposal | None
+) -> CameraChoice:
+    """Return the camera to predict with: the one dragged by hand, else that of the track, else the
+    proposed one."""
+    if corrected is not None:
+        return CameraChoice(corrected.fit, corrected.why_not)
+    if tracked is not None and tracked.fit is not None and tracked.fit.camera is not None:
+        return CameraChoice(tracked.fit, review_reason(tracked))
+    if proposal is None:
+        return CameraChoice()
+    doubt = "" if proposal.state == SURE else proposal.reason
+    return CameraChoice(None if proposal.fit.camera is None else proposal.fit, doubt)
 
 
 class Foresight(QObject):
@@ -76,14 +108,7 @@ class Foresight(QObject):
     @property
     def found(self) -> FitResult | None:
         """The camera of the frame on screen that was found without clicks, or dragged."""
-        if not self._proposals.allowed or self._store.state.frame is None:
-            return None
-        if (corrected := self._corrections.here) is not None:
-            return corrected.fit
-        if (followed := self._track.fit_here) is not None:
-            return followed
-        proposal = self._proposals.here
-        return None if proposal is None or proposal.fit.camera is None else proposal.fit
+        return self._choice.fit
 
     @property
     def insight(self) -> FrameAnalysis | None:
@@ -96,12 +121,7 @@ class Foresight(QObject):
     @property
     def doubt(self) -> str:
         """Why the camera that stands in should be examined first; empty where it is sure."""
-        if (corrected := self._corrections.here) is not None:
-            return corrected.why_not
-        if (frame := self._track.here) is not None and self._track.fit_here is not None:
-            return review_reason(frame)
-        proposal = self._proposals.here
-        return "" if proposal is None or proposal.state == SURE else proposal.reason
+        return self._choice.doubt
 
     @property
     def stands_in(self) -> bool:
@@ -114,6 +134,12 @@ class Foresight(QObject):
         self._stand_in.close()
 
     # --- inside ---
+
+    @property
+    def _choice(self) -> CameraChoice:
+        if not self._proposals.allowed or self._store.state.frame is None:
+            return CameraChoice()
+        return choose_camera(self._corrections.here, self._track.here, self._proposals.here)
 
     def _made_of(self) -> Inputs | None:
         """Clicks that give a camera are compared with the camera that was found without them."""

@@ -1,4 +1,4 @@
-"""The settings of the table as a window has them now: what each is, and how it is changed."""
+"""Settings of the window: values bound to actions and services, restored and saved."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from PySide6.QtCore import QSize
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMainWindow
 
 from procc_annotator.dataset.records import default_author
 from procc_annotator.gui import settings as rows
@@ -15,6 +16,7 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import set_text_size, set_theme
+from procc_annotator.gui.window.workspaces import Docks
 
 # Settings that an action each sets: its name begins so, and ends with the value.
 _CHOICES = {
@@ -123,3 +125,38 @@ def _places(document: Document, canvas: Canvas) -> dict[str, _Place]:
         rows.FIT_MODEL.key: _Place(lambda: document.live_fit.model, document.live_fit.set_model),
         rows.JUDGE_FIT.key: _Place(lambda: fit_source.preferred, prefer),
     }
+
+
+_SIZE = QSize(1440, 900)
+_AROUND = QSize(16, 48)  # what a desktop puts around a window, and its title; it tells too late
+
+
+class Remembering:
+    """Puts a window in the state it was left in."""
+
+    def __init__(
+        self, settings: Settings, window: QMainWindow, options: Options, docks: Docks
+    ) -> None:
+        self._settings = settings
+        self._window = window
+        self._options = options
+        self._docks = docks
+
+    def take_up(self) -> None:
+        """Give the window what is remembered."""
+        settings, window = self._settings, self._window
+        window.resize(_SIZE.boundedTo(window.screen().availableGeometry().size() - _AROUND))
+        if not (geometry := settings.get(rows.GEOMETRY)).isEmpty():
+            window.restoreGeometry(geometry)
+            if self._docks.restore(settings.get(rows.LAYOUT)):
+                self._docks.restore_desks(settings.get(rows.DESKS))
+        self._options.take_up_all()
+
+    def write_down(self) -> None:
+        """Remember the window as it is."""
+        settings = self._settings
+        settings.set(rows.GEOMETRY, self._window.saveGeometry())
+        settings.set(rows.LAYOUT, self._docks.state())
+        settings.set(rows.DESKS, self._docks.desks())
+        self._options.write_down()
+        settings.sync()

@@ -1,27 +1,64 @@
-"""The menu at the cursor: everything that can be done to the element or point there, and menus of
-the field's classes for what needs one."""
+"""The context menu of the canvas, and tips of findings under the cursor."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
 
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtCore import QObject, QPointF
+from PySide6.QtGui import QAction, QHelpEvent
+from PySide6.QtWidgets import QMenu, QToolTip, QWidget
 
+from procc_annotator.annotation import points_px
 from procc_annotator.calibration.label_check.finding import Remedy
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
+from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.elements.element_edits import ElementEdits
 from procc_annotator.gui.commands.elements.ghosts import GhostTasks
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.panels.element_states import class_swatch, class_title
+from procc_annotator.gui.panels.findings.finding_rows import reasons_of
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, tr_count, word
+
+_REACH = 32.0  # screen px: a sign stands beside its point, on whichever side there is room
+
+
+class FindingTips(QObject):
+    """Answers when the canvas is asked for a tip."""
+
+    def __init__(self, document: Document, canvas: Canvas) -> None:
+        super().__init__(canvas)
+        self._document, self._canvas = document, canvas
+        canvas.tipWanted.connect(self._tell)
+
+    def _tell(self, event: QHelpEvent) -> None:
+        if text := self.tip_at(QPointF(event.pos())):
+            QToolTip.showText(event.globalPos(), text, self._canvas.viewport())
+
+    def tip_at(self, cursor: QPointF) -> str:
+        """Return what was found at a place of the viewport; empty where no sign is."""
+        if self._canvas.drawing.hidden:
+            return ""
+        near = [f for f in self._document.label_check.shown if self._stands_at(f, cursor)]
+        return reasons_of(near)
+
+    def _stands_at(self, found: StoredFinding, cursor: QPointF) -> bool:
+        size, annotation = self._document.state.picture_size, self._document.state.annotation
+        for name, row in found.places:
+            drawn = annotation.get(name)
+            if drawn is None or size is None or row >= len(drawn.points):
+                continue
+            at = self._canvas.to_view(*points_px(drawn, size)[row].tolist())
+            if (at - cursor).manhattanLength() <= _REACH:
+                return True
+        return False
+
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")

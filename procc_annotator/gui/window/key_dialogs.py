@@ -1,12 +1,13 @@
-"""Other keys for actions and elements: one by one, as another program has them, or from a file."""
+"""Keys of actions and elements: all of them to search and call, and a dialog that changes them."""
 
 from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from functools import reduce
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QComboBox,
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
+    QStackedWidget,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -28,8 +30,10 @@ from procc_annotator.errors import ProccError, SaveError
 from procc_annotator.field.model import Element, Field
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import read_file
-from procc_annotator.gui.actions import ACTIONS, ActionSpec
+from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
+from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import (
+    GESTURES,
     NATIVE,
     PRESETS,
     Keymap,
@@ -37,13 +41,19 @@ from procc_annotator.gui.keymap import (
     from_values,
     to_values,
 )
-from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
-from procc_annotator.gui.panels.widgets import note_label, show_note
-from procc_annotator.gui.window.key_columns import keys_text
+from procc_annotator.gui.panels.tables import (
+    ROW,
+    SEARCHED,
+    Index,
+    RowsModel,
+    list_rows,
+    searched_rows,
+)
+from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.translation import tr, word
 
 _SIZE = QSize(760, 620)
-_MARGIN = 40
+_MARGIN = 40  # of the window behind a dialog that stays in sight
 _OWN = word("Keys of your own")
 _FILES = word("Keys (*.json)")
 _WHAT, _KEYS, _CLASH = range(3)
@@ -54,18 +64,20 @@ class KeyRow:
     """One line of the table: something that keys call.
 
     Attributes:
-        called: an action of the table, or an element of the field.
-        place: its menu, or that it is an element.
+        called: an action of the table, an element of the field, or None for a gesture.
+        place: its menu, or what it is.
         title: its name.
-        keys: as they are now.
+        keys: as people write them.
+        own: the same keys in Qt's portable form.
         clash: what else they call; "" for nothing.
         english: what it is in English, which finds it whatever the language.
     """
 
-    called: ActionSpec | Element
+    called: ActionSpec | Element | None
     place: str
     title: str
-    keys: tuple[str, ...]
+    keys: str
+    own: tuple[str, ...]
     clash: str
     english: str
 
@@ -74,15 +86,129 @@ class KeyRow:
         """Return what it is and where it is found."""
         return tr("{menu}: {action}", menu=self.place, action=self.title)
 
-    @property
-    def keys_text(self) -> str:
-        """Its keys as people write them."""
-        return keys_text(tuple(QKeySequence(key).toString(NATIVE) for key in self.keys))
 
-    def holds(self, words: list[str]) -> bool:
-        """Return whether it has all of some words, in small letters."""
-        text = f"{self.text} {self.keys_text} {self.english}".casefold()
-        return all(word in text for word in words)
+def key_rows(field: Field, keymap: Keymap) -> list[KeyRow]:
+    """Return the actions in the order of the menus, then the elements of the field."""
+    clashing = clashes(keymap, field.elements)
+    rows = []
+    for spec in sorted(ACTIONS, key=lambda spec: MENUS.index(spec.menu.split("/")[0])):
+        place = " › ".join(map(tr, spec.menu.split("/")))
+        keys, title = keymap.of_action(spec), tr(spec.text.lstrip("-"))
+        clash = clashing.get(f"action:{spec.name}", "")  # not shown
+        english = f"{spec.menu} {spec.text}"
+        rows.append(KeyRow(spec, place, title, _words(keys), keys, clash, english))
+    for element in field.elements:
+        own = keymap.of_element(element)
+        keys, title = (own,) if own else (), tr(element.title)
+        clash = clashing.get(f"element:{element.name}", "")  # not shown
+        english = f"Element {element.title}"  # not shown
+        rows.append(KeyRow(element, tr("Element"), title, _words(keys), keys, clash, english))
+    return rows
+
+
+def _words(keys: tuple[str, ...]) -> str:
+    """Keys that mean the same, as people write them: "A or PgUp"."""
+    native = [QKeySequence(key).toString(NATIVE) for key in keys] or [""]
+    return reduce(lambda one, other: tr("{one} or {other}", one=one, other=other), native)
+
+
+def _gesture_rows() -> list[KeyRow]:
+    place = tr("In the picture")
+    return [
+        KeyRow(None, place, tr(does), tr(keys), (), "", f"{keys} {does}") for keys, does in GESTURES
+    ]
+
+
+class KeyTable(QTableView):
+    """What keys call; shows the rows that hold all the words of a search line."""
+
+    def __init__(self, name: str, search: QLineEdit) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setAccessibleName(tr("Keys"))
+        self.rows = _KeyRows()
+        self.setModel(searched_rows(self.rows, search))
+        list_rows(self)
+        header = self.horizontalHeader()
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(_WHAT, QHeaderView.ResizeMode.Stretch)
+
+    def shown(self) -> list[KeyRow]:
+        """Return the rows that the search found, in their order."""
+        model = self.model()
+        return [self.row_at(model.index(i, 0)) for i in range(model.rowCount())]
+
+    def row_at(self, index: Index) -> KeyRow:
+        """Return the row of an index of the view."""
+        row = index.data(ROW)
+        assert isinstance(row, KeyRow)
+        return row
+
+
+class KeySheet(QDialog):
+    """All keys, with a search; a click on a row or Enter calls it, Esc closes the dialog."""
+
+    actionCalled = Signal(str)
+    elementCalled = Signal(str)
+
+    def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("keySheet")
+        self.setWindowTitle(tr("Keys"))
+        words = tr("Search: a word, or a key. A click does what a row says.")
+        self.search = QLineEdit(placeholderText=words, clearButtonEnabled=True)
+        self.search.setObjectName("keySearch")
+        self.search.setAccessibleName(tr("Search the keys"))
+        self.search.returnPressed.connect(self._call_only)
+        self.table = KeyTable("keyTable", self.search)
+        self.table.setColumnHidden(_CLASH, True)
+        self.table.clicked.connect(self._call)
+        self.table.activated.connect(self._call)
+        self.nothing = empty_state("", "keys_nothing")
+        self.pages = QStackedWidget()
+        self.pages.addWidget(self.table)
+        self.pages.addWidget(self.nothing)
+        self.search.textChanged.connect(self._show_page)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
+        buttons.rejected.connect(self.close)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.search)
+        layout.addWidget(self.pages)
+        layout.addWidget(buttons)
+        self.show_field(field, keymap)
+        room = parent.window().size() - QSize(_MARGIN, _MARGIN)
+        self.resize(QSize(_SIZE.width(), room.height()).boundedTo(room))
+
+    def show_field(self, field: Field, keymap: Keymap) -> None:
+        """Show all keys, with those of a field's elements."""
+        free = element_keys(field, keymap)  # without keys that an action takes
+        rows = [
+            row
+            for row in key_rows(field, keymap)
+            if not isinstance(row.called, Element) or row.called.name in free
+        ]
+        self.table.rows.replace([*rows, *_gesture_rows()])
+        self.search.clear()
+        self.search.setFocus()
+
+    def _call(self, index: Index) -> None:
+        called = self.table.row_at(index).called
+        if called is not None:
+            self.close()  # first: what is called may ask something itself
+            signal = self.actionCalled if isinstance(called, ActionSpec) else self.elementCalled
+            signal.emit(called.name)
+
+    def _call_only(self) -> None:
+        """Enter calls what alone is found."""
+        model = self.table.model()
+        if model.rowCount() == 1:
+            self._call(model.index(0, 0))
+
+    def _show_page(self, text: str) -> None:
+        self.nothing.setText(tr("No key, action or element has “{text}”.", text=text.strip()))
+        self.pages.setCurrentIndex(0 if self.table.model().rowCount() else 1)
 
 
 class KeymapDialog(QDialog):
@@ -115,18 +241,7 @@ class KeymapDialog(QDialog):
         above = QHBoxLayout()
         above.addWidget(self.search, 1)
         above.addWidget(self.presets)
-        self.model = _KeyRows()
-        self.search.textChanged.connect(self._show)
-        self.table = QTableView()
-        self.table.setObjectName("keymapTable")
-        self.table.setAccessibleName(tr("Keys"))
-        self.table.setModel(self.model)
-        list_rows(self.table)
-        header = self.table.horizontalHeader()
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        header.setSectionResizeMode(_WHAT, QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(_KEYS, QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(_CLASH, QHeaderView.ResizeMode.ResizeToContents)
+        self.table = KeyTable("keymapTable", self.search)
         self.table.selectionModel().currentRowChanged.connect(lambda *_: self._show_chosen())
         self.problem = note_label("keymapProblem")
         layout = QVBoxLayout(self)
@@ -178,16 +293,8 @@ class KeymapDialog(QDialog):
 
     def _show(self) -> None:
         """Show the keymap as it is now."""
-        clashing = clashes(self.keymap, self._field.elements)
+        self.table.rows.replace(key_rows(self._field, self.keymap))
         hard = clashes(self.keymap)  # an element's keys are given up for an action's
-        words = self.search.text().casefold().split()
-        rows = [*self._action_rows(clashing), *self._element_rows(clashing)]
-        before = self._row()
-        found = [row for row in rows if row.holds(words)]
-        self.model.replace(found)
-        if before is not None:  # what is chosen stays chosen
-            at = next((i for i, row in enumerate(found) if row.called is before.called), -1)
-            self.table.setCurrentIndex(self.model.index(at, _WHAT))
         kept = next((name for name, preset in PRESETS.items() if preset == self.keymap), _OWN)
         self.presets.setCurrentIndex(self.presets.findData(kept))
         text = ""
@@ -197,48 +304,25 @@ class KeymapDialog(QDialog):
         self.ok.setEnabled(not hard)
         self._show_chosen()
 
-    def _action_rows(self, clashing: dict[str, str]) -> list[KeyRow]:
-        return [
-            KeyRow(
-                spec,
-                " › ".join(map(tr, spec.menu.split("/"))),
-                tr(spec.text.lstrip("-")),
-                self.keymap.of_action(spec),
-                clashing.get(f"action:{spec.name}", ""),  # not shown
-                f"{spec.menu} {spec.text}",
-            )
-            for spec in ACTIONS
-        ]
-
-    def _element_rows(self, clashing: dict[str, str]) -> list[KeyRow]:
-        rows = []
-        for element in self._field.elements:
-            keys = self.keymap.of_element(element)
-            clash = clashing.get(f"element:{element.name}", "")  # not shown
-            english, title = f"Element {element.title}", tr(element.title)  # not shown
-            given = (keys,) if keys else ()
-            rows.append(KeyRow(element, tr("Element"), title, given, clash, english))
-        return rows
-
     def _show_chosen(self) -> None:
         row, typed = self._row(), bool(self._typed())
         nothing = tr("Choose a row, then press its keys")
         self.chosen.setText(row.title if row is not None else nothing)
         one_only = row is not None and isinstance(row.called, Element)
-        self.add.setEnabled(row is not None and typed and not (one_only and row.keys))
+        self.add.setEnabled(row is not None and typed and not (one_only and row.own))
         self.only.setEnabled(row is not None and typed)
-        self.none.setEnabled(row is not None and bool(row.keys))
+        self.none.setEnabled(row is not None and bool(row.own))
         self.usual.setEnabled(row is not None)
 
     # --- changing -----------------------------------------------------------------------------
 
     def _row(self) -> KeyRow | None:
         index = self.table.currentIndex()
-        return self.model.rows[index.row()] if index.isValid() else None
+        return self.table.row_at(index) if index.isValid() else None
 
     def _row_keys(self) -> tuple[str, ...]:
         row = self._row()
-        return () if row is None else row.keys
+        return () if row is None else row.own
 
     def _typed(self) -> str:
         return self.pressed.keySequence().toString(QKeySequence.SequenceFormat.PortableText)
@@ -250,18 +334,17 @@ class KeymapDialog(QDialog):
         keys = tuple(dict.fromkeys(keys))
         if isinstance(row.called, Element):
             self.keymap = self.keymap.with_element(row.called, keys[0] if keys else "")
-        else:
+        elif row.called is not None:
             self.keymap = self.keymap.with_action(row.called, keys)
         self.pressed.clear()
         self._show()
 
     def _give_usual(self) -> None:
         row = self._row()
-        if row is not None:
-            called = row.called
-            shortcut = called.shortcut if isinstance(called, Element) else ""
-            usual = (shortcut,) * bool(shortcut)
-            self._give(usual if isinstance(called, Element) else called.keys)
+        if row is not None and isinstance(row.called, ActionSpec):
+            self._give(row.called.keys)
+        elif row is not None and isinstance(row.called, Element):
+            self._give((row.called.shortcut,) if row.called.shortcut else ())
 
     def _take_preset(self, index: int) -> None:
         preset = PRESETS.get(self.presets.itemData(index))
@@ -302,15 +385,16 @@ class _KeyRows(RowsModel[KeyRow]):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         row = self.rows[index.row()]
+        if role == ROW:
+            return row
+        if role == SEARCHED:
+            return f"{row.text} {row.keys} {row.english}"
         if role == Qt.ItemDataRole.ToolTipRole and isinstance(row.called, ActionSpec):
             return tr(row.called.tip)
         if role != Qt.ItemDataRole.DisplayRole:
             return None
-        if index.column() == _WHAT:
-            return row.text
-        if index.column() == _KEYS:
-            return row.keys_text
-        return tr("⚠ also: {what}", what=row.clash) if row.clash else ""
+        clash = tr("⚠ also: {what}", what=row.clash) if row.clash else ""
+        return (row.text, row.keys, clash)[index.column()]
 
 
 class _PressedKeys(QKeySequenceEdit):
