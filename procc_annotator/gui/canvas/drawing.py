@@ -12,10 +12,10 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.assist.ghost_points import GhostPoints
 from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import Origin, PointKey
-from procc_annotator.gui.canvas.camera_hand import CameraHand
+from procc_annotator.gui.canvas.camera_drag import CameraDrag
 from procc_annotator.gui.canvas.comparison import Judged, OtherSources
-from procc_annotator.gui.canvas.corner_legend import CornerLegend
 from procc_annotator.gui.canvas.editor import Editor
+from procc_annotator.gui.canvas.legend import CornerLegend
 from procc_annotator.gui.canvas.metre_maps import MetreMaps
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
@@ -97,7 +97,7 @@ class OverlayDrawing(QObject):
         comparison: OtherSources,
         maps: MetreMaps,
         legend: CornerLegend,
-        hand: CameraHand,
+        hand: CameraDrag,
         cursor: Callable[[], Position | None],
     ) -> None:
         """

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QMoveEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay
 from procc_annotator.gui.canvas.picture_item import image_of
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.pixels import PixelArray
