@@ -130,7 +130,7 @@ def test_what_is_kept_in_another_form_is_passed_over(
     second = make_window(dataset)
     assert opened(second) == set(DESKS["annotate"])
     second.panels.turn_to("judge")
-    assert opened(second) == JUDGE
+    assert opened(second) == {"fit"}
 
 
 @pytest.mark.new_window

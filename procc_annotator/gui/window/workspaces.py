@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import pairwise
 
@@ -54,6 +55,24 @@ _LATER = frozenset(["agreement"])  # until there is a second annotator
 _DRAWER_HEIGHT = 0.38  # of the window's height
 
 
+@dataclass(frozen=True, slots=True)
+class DeskLook:
+    """How a desk was left.
+
+    Attributes:
+        open: its docks that are not closed.
+        front: the one in front of its tabs.
+        width, map_height: of the column and of the field map above it, px; 0 where it is not shown.
+        drawer_height: of what is below the picture, px; 0 where it was not seen yet.
+    """
+
+    open: tuple[str, ...]
+    front: str
+    width: int = 0
+    map_height: int = 0
+    drawer_height: int = 0
+
+
 def _catch_up(panel: QWidget, in_sight: bool) -> None:
     """A panel that comes to the front of its tabs shows what it missed behind them."""
     if in_sight:
@@ -84,6 +103,7 @@ class Docks:
             dock.visibilityChanged.connect(partial(_catch_up, panels[name]))
             self.by_name[name] = dock
         self.desk = next(iter(DESKS))
+        self._looks: dict[str, DeskLook] = {}
         self._sized_late = True  # the window is not shown yet
         self.arrange()
 
@@ -102,11 +122,11 @@ class Docks:
         in_tabs = [name for desk in DESKS.values() for name in desk if name not in _BELOW]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
-        self._states: dict[str, QByteArray] = {}
-        self._drawer_sized = False
+        self._looks = {desk: _first_look(desk) for desk in DESKS}
+        self.desk = next(iter(DESKS))
         for name in _ALONE:
             docks[name].show()
-        self._show_desk(next(iter(DESKS)))
+        self._show_desk()
         self._take_first_sizes()
 
     def settle(self) -> None:
@@ -133,43 +153,70 @@ class Docks:
     def turn_to(self, desk: str) -> None:
         """Show the panels of one kind of work as they were left; a torn off panel stays."""
         if desk != self.desk:
-            self._states[self.desk] = self.state()
-            self._show_desk(desk)
+            self._looks[self.desk] = self._look()
+            self.desk = desk
+            self._show_desk()
 
-    def _show_desk(self, desk: str) -> None:
-        docks = self.by_name
-        floating = [d for d in docks.values() if d.isFloating() and not d.isHidden()]
-        places = [dock.geometry() for dock in floating]
-        self.desk = desk
-        state = self._states.get(desk)
-        if state is None or not self._window.restoreState(state, _VERSION):
-            for other, names in DESKS.items():
-                for name in names:
-                    if not docks[name].isFloating():
-                        docks[name].setVisible(other == desk and name not in _LATER | _BELOW)
-            docks[DESKS[desk][0]].raise_()
-        for dock, place in zip(floating, places, strict=True):
-            dock.setFloating(True)
-            dock.setGeometry(place)
-            dock.show()
+    def _show_desk(self) -> None:
+        look, docks = self._looks[self.desk], self.by_name
+        for desk, names in DESKS.items():
+            for name in names:
+                if not docks[name].isFloating():
+                    docks[name].setVisible(desk == self.desk and name in look.open)
+        if look.front in look.open:
+            docks[look.front].raise_()
+            if look.width:
+                self._resize(look)
+        self._resize_drawer(look.drawer_height)
         self.show_whole_tabs()
-        self.turned(desk)
+        self.turned(self.desk)
+
+    def _resize(self, look: DeskLook) -> None:
+        above, below = self.by_name["field_map"], self.by_name[look.front]
+        self._window.resizeDocks([below], [look.width], Qt.Orientation.Horizontal)
+        if look.map_height:
+            self._window.resizeDocks([above], [look.map_height], Qt.Orientation.Vertical)
+
+    def _resize_drawer(self, height: int = 0) -> None:
+        """Have the drawer so high, px; 0: as it is at first."""
+        drawers = [d for name in _BELOW if not (d := self.by_name[name]).isHidden()]
+        height = height or round(_DRAWER_HEIGHT * self._window.height())
+        if drawers:
+            sizes = [height] * len(drawers)
+            self._window.resizeDocks(drawers, sizes, Qt.Orientation.Vertical)
+
+    def _look(self) -> DeskLook:
+        docks = self.by_name
+        names = DESKS[self.desk]
+        opened = tuple(name for name in names if not docks[name].isHidden())
+        in_tabs = [n for n in opened if n not in _BELOW]
+        shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
+        front = shown[0] if shown else (in_tabs or names)[0]
+        field_map = docks["field_map"]
+        height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
+        width = docks[front].width() if opened and not docks[front].isFloating() else 0
+        drawer = self._looks[self.desk].drawer_height
+        for name in _BELOW & set(opened):
+            drawer = docks[name].height()
+        return DeskLook(opened, front, width, height, drawer)
 
     def show(self, name: str) -> None:
         """Open a dock, turning to its desk, and bring it to the front of its tabs."""
         dock = self.by_name[name]
+        desk = next((desk for desk, names in DESKS.items() if name in names), self.desk)
         if not dock.isFloating():
-            self.turn_to(next((desk for desk, names in DESKS.items() if name in names), self.desk))
+            self.turn_to(desk)
+        opens = dock.isHidden() and name in _BELOW
         dock.show()
         dock.raise_()
-        if name in _BELOW and not self._drawer_sized:
-            self._drawer_sized = True
-            height = round(_DRAWER_HEIGHT * self._window.height())
-            self._window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
+        if opens:
+            self._resize_drawer(self._looks[desk].drawer_height)
         self.show_whole_tabs()
 
     def hide(self, name: str) -> None:
         """Close a dock."""
+        if name in _BELOW and self.by_name[name].isVisible():
+            self._looks[self.desk] = self._look()  # as high it opens again
         self.by_name[name].hide()
 
     def show_whole_tabs(self) -> None:
@@ -194,19 +241,18 @@ class Docks:
         return self._window.saveState(_VERSION)
 
     def desks(self) -> dict[str, object]:
-        """Return the arrangement of every desk and which one is in sight, to be remembered."""
-        states = self._states | {self.desk: self.state()}
-        kept = {name: bytes(state.toBase64().data()).decode() for name, state in states.items()}
-        return {"desk": self.desk, **kept}
+        """Return how every desk looks and which one is in sight, to be remembered."""
+        looks = self._looks | {self.desk: self._look()}
+        return {"desk": self.desk, **{name: asdict(look) for name, look in looks.items()}}
 
     def restore_desks(self, kept: Mapping[str, object]) -> None:
         """Have the desks look as they did; what cannot be read of it stays as it is at first."""
         for desk in DESKS:
-            if isinstance(state := kept.get(desk), str):
-                self._states[desk] = QByteArray.fromBase64(state.encode())
-        self._show_desk(str(last) if (last := kept.get("desk")) in DESKS else self.desk)
-        for name in _LATER:  # waits for something to be opened
-            self.by_name[name].hide()
+            if (look := _look_of(desk, kept.get(desk))) is not None:
+                self._looks[desk] = look
+        if (last := kept.get("desk")) in DESKS:
+            self.desk = str(last)
+        self._show_desk()
 
     def restore(self, state: QByteArray) -> bool:
         """Arrange the docks as they were; False, and nothing done, if that was another version."""
@@ -219,10 +265,33 @@ def _nobody(_: str) -> None:
     """Nobody is notified yet."""
 
 
+def _first_look(desk: str) -> DeskLook:
+    names = DESKS[desk]
+    return DeskLook(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
+
+
 def _area_of(name: str) -> Qt.DockWidgetArea:
     if name in _BELOW:
         return _BOTTOM
     return _LEFT if name == "frames" else _RIGHT
+
+
+def _look_of(desk: str, kept: object) -> DeskLook | None:
+    """A look as it was kept; what belongs to no dock of the desk is none. A panel that waits for
+    something to be opened is closed until then."""
+    if not isinstance(kept, dict) or not isinstance(kept.get("open"), list):
+        return None
+    names = [n for n in DESKS[desk] if n in kept["open"] and n not in _LATER]
+    front = kept.get("front")
+    sizes = [kept.get(name) for name in ("width", "map_height", "drawer_height")]
+    width, height, drawer = (size if isinstance(size, int) else 0 for size in sizes)
+    return DeskLook(
+        tuple(names),
+        str(front) if front in names else (names or DESKS[desk])[0],
+        width,
+        height,
+        drawer,
+    )
 
 
 _TITLES = {
