@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Slot
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.canvas.comparison import OtherSources
-from procc_annotator.gui.canvas.overlay_painter import paint_overlay
+from procc_annotator.gui.canvas.overlay_painter import paint_samples
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.canvas.viewport_overlays import ViewportOverlay
 from procc_annotator.gui.state import selectors as select
@@ -19,7 +18,6 @@ from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
 from procc_annotator.interaction.overlay import ColourBy
-from procc_annotator.interaction.overlay_primitives import Overlay, PointMarks, Strokes
 
 _EDGE = 8
 _SAMPLE, _GAP = 30.0, 8.0
@@ -153,20 +151,10 @@ class CornerLegend(ViewportOverlay):
             painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
             line = (self.height() - 2 * _EDGE + 4) / max(1, len(self.entries))
             middles = [_EDGE - 2 + line * (i + 0.5) for i in range(len(self.entries))]
-            self._paint_samples(painter, middles)
+            places = [(_EDGE, y) for y in middles]
+            paint_samples(painter, self.entries, places, length=_SAMPLE)
             painter.setPen(_TEXT)
             left = _EDGE + _SAMPLE + _GAP
             for entry, y in zip(self.entries, middles, strict=True):
                 room = QRectF(left, y - line / 2, self.width() - left - _EDGE / 2, line)
                 painter.drawText(room, _LEFT, entry.text)
-
-    def _paint_samples(self, painter: QPainter, middles: list[float]) -> None:
-        strokes, marks = [], []
-        for entry, y in zip(self.entries, middles, strict=True):
-            sample = np.array([[_EDGE, y, _EDGE + _SAMPLE, y]])
-            strokes += [Strokes(sample, s.colour, s.width, s.dash) for s in entry.lines]
-            if (mark := entry.mark) is not None:
-                centre = np.array([[_EDGE + _SAMPLE / 2, y]])
-                marks.append(PointMarks(centre, mark.shape, mark.colour, mark.size))
-        overlay = Overlay(tuple(strokes), tuple(marks), ())
-        paint_overlay(painter, overlay, scale=1.0, offset=(-0.5, -0.5))

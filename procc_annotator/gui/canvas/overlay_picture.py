@@ -14,11 +14,10 @@ from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import SaveError
-from procc_annotator.gui.canvas.overlay_painter import paint_overlay
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay, paint_samples
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.legend import LegendEntry, legend_of
 from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.interaction.overlay_primitives import Overlay, PointMarks, Strokes
 from procc_annotator.report.overlay_scene import (
     GROUND_BGRA,
     OverlayLook,
@@ -125,19 +124,9 @@ class LegendBand:
             top + (_MARGIN + _LINE * (row + 0.5)) * unit
             for row in range(1 + max([line for *_, line in self._placed], default=0))
         ]
-        strokes, marks = [], []
-        for entry, x, row in self._placed:
-            y = middles[row] if row < len(middles) else top
-            sample = np.array([[x, y, x + _SAMPLE * unit, y]])
-            strokes += [Strokes(sample, s.colour, s.width, s.dash) for s in entry.lines]
-            if entry.mark is not None:
-                centre = np.array([[x + _SAMPLE * unit / 2, y]])
-                marks.append(
-                    PointMarks(centre, entry.mark.shape, entry.mark.colour, entry.mark.size)
-                )
-        overlay = Overlay(tuple(strokes), tuple(marks), ())
-        # The painter of overlays puts whole numbers on pixel centres; here they are edges.
-        paint_overlay(painter, overlay, scale=1.0, offset=(-0.5, -0.5), unit=unit, clip=area)
+        places = [(x, middles[row] if row < len(middles) else top) for _, x, row in self._placed]
+        entries = [entry for entry, *_ in self._placed]
+        paint_samples(painter, entries, places, length=_SAMPLE * unit, unit=unit)
         painter.setFont(self._font)
         painter.setPen(_TEXT)
         half = _LINE * unit / 2
