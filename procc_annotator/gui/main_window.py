@@ -158,7 +158,7 @@ class MainWindow(QMainWindow):
             document, lambda: self.ghost_tasks.accepting.least_support, self
         )
         self.canvas.editor.ask_first(
-            self.canvas.camera_hand.key,
+            self.canvas.camera_drag.key,
             self.assistant.key,
             self.ghost_tasks.key,
             self.stretch_accepting.key,

@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.gui.canvas.still import StillOverlay
+from procc_annotator.gui.canvas.overlay_item import StillOverlay
 from procc_annotator.interaction.overlay_primitives import Labels, Overlay, Strokes
 
 ROOM = QSize(400, 120)
