@@ -19,7 +19,7 @@ from procc_annotator.gui.commands.files.exporting import ExportAs, Exporter, Fit
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
 from procc_annotator.gui.commands.files.opening import OpeningTask, SourceMemory, sample_folder
 from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
-from procc_annotator.gui.commands.review.frame_walks import Tour, WorstFirst
+from procc_annotator.gui.commands.review.frame_walks import StatusWalk, WorstFirst
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
 from procc_annotator.gui.commands.review.triage import BlindLocking, Triage
 from procc_annotator.gui.commands.review.versions import Versions
@@ -45,22 +45,23 @@ from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
-from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripPlace
+from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripVisibility
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
-from procc_annotator.gui.window.commands import Commands, PanelCommands
-from procc_annotator.gui.window.keyboard_focus import FocusRing, KeysBack, Regions
+from procc_annotator.gui.window.commands import Commands
+from procc_annotator.gui.window.keyboard_focus import FocusRegions, FocusReturn, FocusRing
 from procc_annotator.gui.window.menus import Actions, ActionStates
-from procc_annotator.gui.window.message_routing import ErrorReports, Telling
+from procc_annotator.gui.window.message_routing import ErrorReports, MessageRouter
 from procc_annotator.gui.window.status import StatusLine, StatusReport
-from procc_annotator.gui.window.tool_bar import Rail
+from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
-from procc_annotator.gui.window.window_settings import Options, Remembering, dress
-from procc_annotator.gui.window.workspaces import DeskSwitch, Docks, Drawer
+from procc_annotator.gui.window.window_settings import BoundSettings, WindowState, apply_appearance
+from procc_annotator.gui.window.workspaces import PlotsHandle, Workspaces, WorkspaceSwitch
 from procc_annotator.translation import tr
 
 
@@ -72,11 +73,11 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = Settings()
-        dress(self.settings)
+        apply_appearance(self.settings)
         self.document = Document(parent=self)
         self.canvas = Canvas(self.document)
         self.error_reports = ErrorReports(self.document, self)
-        self.options = Options(
+        self.options = BoundSettings(
             self.settings, self.document, self.canvas, lambda name: self.actions_[name]
         )
         self._make_tasks()
@@ -84,7 +85,8 @@ class MainWindow(QMainWindow):
         self._make_centre()
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
-        self._docks.turned = self.panels.note_desk
+        self.panels.turned.connect(lambda name: self.actions_.set_checked(f"desk_{name}", True))
+        self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
         self.drawer.take_keys(self.actions_["plots"])
         self._make_bars()
         self._add_panel_toggles()
@@ -102,23 +104,23 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self._make_helpers()
-        self._remembering = Remembering(self.settings, self, self.options, self._docks)
+        self._window_state = WindowState(self.settings, self, self.options, self.panels)
         self._connect()
-        self._remembering.take_up()
+        self._window_state.take_up()
         self._refresh_frame()
 
     # --- assembly -------------------------------------------------------------------------
 
     def _make_bars(self) -> None:
         """What stands around the picture and the panels, with the actions in it."""
-        self.desk_switch = DeskSwitch(self, self.actions_)
+        self.workspace_switch = WorkspaceSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
         self.top_bar = TopBar(self.document, self.actions_, self.actions_.menus["File/Field"])
         self.addToolBar(self.top_bar)
-        self.rail = Rail(self.actions_)
-        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.rail)
+        self.side_bar = SideToolBar(self.actions_)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.side_bar)
         self.field_choosing.fill(
             self.actions_.menus["File/Field"],
             self.actions_["field_file"],
@@ -129,13 +131,13 @@ class MainWindow(QMainWindow):
 
     def _make_helpers(self) -> None:
         """What watches the window and helps: tips, keys, what is reported."""
-        self.keys_back = KeysBack(self.canvas)
+        self.focus_return = FocusReturn(self.canvas)
         self.finding_tips = FindingTips(self.document, self.canvas)
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
-        Telling(
+        MessageRouter(
             self.document,
             (self.message_bar, self.frame_bar, self.conflict_bar),
             self.status,
@@ -149,14 +151,14 @@ class MainWindow(QMainWindow):
         self.naming = Naming(document, self.canvas, self.element_edits)
         self.assistant = Assistant(document, self)
         self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
-        self.tour = Tour(document)
+        self.status_walk = StatusWalk(document)
         self.shot_walk = ShotWalk(document, self.canvas, self)
         self.shot_following = ShotFollowing(document, self)
         self.stretch_accepting = StretchAccepting(
             document, lambda: self.ghost_tasks.accepting.least_support, self
         )
         self.canvas.editor.ask_first(
-            self.canvas.camera_hand.key,
+            self.canvas.camera_drag.key,
             self.assistant.key,
             self.ghost_tasks.key,
             self.stretch_accepting.key,
@@ -176,7 +178,7 @@ class MainWindow(QMainWindow):
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)
-        self.regions = Regions(self)
+        self.regions = FocusRegions(self)
         self.commands = Commands(document, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
@@ -195,21 +197,9 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages)
         self.strip = ShotStrip(self.document)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
+        self.strip_visibility = StripVisibility(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
-        self.drawer = Drawer(self._docks)
-        self.panels = PanelCommands(
-            self._docks,
-            self.drawer,
-            self.canvas,
-            {
-                "frames": self.frames.focus_filter,
-                "elements": self.elements.focus_search,
-                "review": self.review.focus_comment,
-            },
-            lambda name: self.actions_[name],
-        )
-        self.drawer.clicked.connect(self.panels.toggle_plots)
+        self.drawer = PlotsHandle(self.panels)
         column.addWidget(self.drawer)
         self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
@@ -229,7 +219,7 @@ class MainWindow(QMainWindow):
         self.landmarks = LandmarksPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
-        self._docks = Docks(
+        self.panels = Workspaces(
             self,
             {
                 "frames": self.frames,
@@ -244,8 +234,14 @@ class MainWindow(QMainWindow):
                 "review": self.review,
                 "agreement": self.agreement,
             },
+            self.canvas,
+            {
+                "frames": self.frames.focus_filter,
+                "elements": self.elements.focus_search,
+                "review": self.review.focus_comment,
+            },
         )
-        self.docks = self._docks.by_name
+        self.docks = self.panels.by_name
 
     def _add_panel_toggles(self) -> None:
         menu = self.actions_.menus["View"].addMenu(tr("Panels"))  # not shown
@@ -276,7 +272,7 @@ class MainWindow(QMainWindow):
         self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
-        self.rail.lookChanged.connect(self.canvas.set_look)
+        self.side_bar.lookChanged.connect(self.canvas.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
@@ -287,7 +283,7 @@ class MainWindow(QMainWindow):
         note_activity = document.review.note_activity
         for moved in (self.canvas.cursorMoved, self.canvas.viewChanged):
             moved.connect(note_activity)
-        document.store.watch(lambda s: (s.annotation, s.selection), note_activity)
+        document.store.watch(lambda s: (s.annotation, s.selection), note_activity, When.AFTER_PAINT)
 
     # --- showing the document -------------------------------------------------------------
 
@@ -333,8 +329,8 @@ class MainWindow(QMainWindow):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._docks.settle()
-        self._docks.show_whole_tabs()
+        self.panels.settle()
+        self.panels.show_whole_tabs()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -359,7 +355,7 @@ class MainWindow(QMainWindow):
             if not ask_to_leave_unsaved(self, problems):
                 event.ignore()
                 return
-        self._remembering.write_down()
+        self._window_state.write_down()
         self.importer.stop()
         self.shot_following.forget()
         self.stretch_accepting.forget()

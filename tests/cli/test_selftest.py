@@ -37,7 +37,7 @@ def test_pictures_in_folders_of_folders_will_do(sample_copy, tmp_path):
     assert "annotated in a copy of 7.jpg, saved and read back" in done.stdout
 
 
-def test_without_the_sample_a_picture_is_drawn(tmp_path: Path):
+def test_without_the_sample_a_picture_is_drawn(tmp_path):
     code = """
 from procc_annotator.gui import selftest
 

@@ -163,4 +163,5 @@ def _layout_of(window: MainWindow) -> tuple[object, ...]:
     """Which panels are hidden, which are in sight, and which another kind of work will show."""
     docks = window.findChildren(QDockWidget)
     shown = {d.objectName(): (d.isHidden(), not d.visibleRegion().isEmpty()) for d in docks}
-    return shown, set(window.panels._docks._states)
+    left = {name: (look.open, look.front) for name, look in window.panels._looks.items()}
+    return shown, left

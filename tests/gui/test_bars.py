@@ -52,7 +52,8 @@ def test_a_warning_is_shown_though_something_else_is_said_at_once(window):
 def test_words_of_the_bars_have_room_when_texts_become_larger(window, qtbot):
     all_done(qtbot)
     application = QApplication.instance()
-    desks = window.desk_switch.findChildren(QToolButton)
+    assert isinstance(application, QApplication)
+    desks = window.workspace_switch.findChildren(QToolButton)
     labels = [label for label in window.top_bar.findChildren(SteadyLabel) if label.text()]
     readouts = window.findChildren(Readout)
     assert desks

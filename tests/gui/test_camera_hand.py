@@ -33,7 +33,7 @@ from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import wireframe_of
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
-from tests.gui.conftest import all_done, heard, until_kept
+from tests.gui.conftest import all_done, until_kept
 from tests.gui.known_already import TrackMemory
 
 Key, Button = Qt.Key, Qt.MouseButton
@@ -93,6 +93,7 @@ class CameraDrag:
 def truth(annotated) -> PinholeCamera:
     cameras = CameraSet.open(annotated / "cameras" / "true", camera_size=(960, 540))
     found = cameras.camera("00002", SAMPLE)
+    assert isinstance(found.camera, PinholeCamera)
     return found.camera
 
 
@@ -128,6 +129,7 @@ def drag(window) -> CameraDrag:
 
 def camera_of(window: MainWindow) -> PinholeCamera:
     found = window.document.corrections.here
+    assert isinstance(found.fit.camera, PinholeCamera)
     return found.fit.camera
 
 
@@ -158,7 +160,7 @@ class TestTakingHold:
     def test_the_wireframe_and_the_place_under_the_cursor_are_shown(
         self, window, drag, places, qtbot
     ):
-        hand = window.canvas.camera_hand
+        hand = window.canvas.camera_drag
         assert window.canvas.overlay_item.ghosts.strokes
         drag.move(places[0][0])
 
@@ -178,11 +180,11 @@ class TestTakingHold:
 
     def test_the_keys_alone_show_it(self, window, drag):
         QTest.keyPress(window.canvas, Key.Key_Control)
-        assert not window.canvas.camera_hand.held
+        assert not window.canvas.camera_drag.held
         QTest.keyPress(window.canvas, Key.Key_Alt, CTRL)
-        assert window.canvas.camera_hand.held
+        assert window.canvas.camera_drag.held
         QTest.keyRelease(window.canvas, Key.Key_Alt, CTRL)
-        assert not window.canvas.camera_hand.held
+        assert not window.canvas.camera_drag.held
         QTest.keyRelease(window.canvas, Key.Key_Control)
 
     def test_a_click_of_it_draws_nothing(self, window, drag, places):
@@ -195,11 +197,11 @@ class TestTakingHold:
     def test_not_in_blind_mode(self, window, drag, places):
         drag.drag(*places[0])
         window.document.blind_lock.set_blind(True)
-        assert not window.canvas.camera_hand.item.overlay.marks
+        assert not window.canvas.camera_drag.item.overlay.marks
         drag.drag(*places[1])
         assert "blind mode" in window.status.hint.text()
         assert window.document.corrections.here is None
-        assert not window.canvas.camera_hand.item.overlay.strokes[1].segments.size
+        assert not window.canvas.camera_drag.item.overlay.strokes[1].segments.size
         window.document.blind_lock.set_blind(False)
         assert len(camera_pegs(window)) == 1
 
@@ -212,7 +214,7 @@ def camera_pegs(window: MainWindow) -> tuple[Any, ...]:
 class TestDragging:
     def test_the_place_lies_under_the_cursor_all_the_way(self, window, drag, places):
         start, end = places[0]
-        hand = window.canvas.camera_hand
+        hand = window.canvas.camera_drag
         for share in (0.4, 0.8, 1.0):
             aim = start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
             if share == 0.4:
@@ -243,7 +245,7 @@ class TestDragging:
         assert window.canvas.found_plate.text.startswith(
             "Camera dragged, 1 peg, made exact on paint: "
         )
-        assert len(window.canvas.camera_hand.item.overlay.marks[0].centres) == 1
+        assert len(window.canvas.camera_drag.item.overlay.marks[0].centres) == 1
 
     def test_a_second_place_leaves_the_first_where_it_was_put(self, window, drag, places, qtbot):
         drag.drag(*places[0])
@@ -253,7 +255,7 @@ class TestDragging:
         start = world.at(places[1][1], 30.0)
         end = start.px[0] + 12.0, start.px[1] - 7.0
         drag.carry(start.px, (start.px[0] + 9.0, start.px[1]), end)
-        hand = window.canvas.camera_hand
+        hand = window.canvas.camera_drag
         held = hand._dragged
         assert held is not None
         assert control_point_errors(held, [first])[0] < 0.1
@@ -297,7 +299,7 @@ class TestDragging:
         )
         near, beyond = (start.px[0] + 12.0, start.px[1]), (start.px[0] + 900.0, start.px[1])
         drag.carry(start.px, near, beyond)
-        shown = window.canvas.camera_hand.item.overlay.marks[-1].centres[0].tolist()
+        shown = window.canvas.camera_drag.item.overlay.marks[-1].centres[0].tolist()
         drag.release(beyond)
         all_done(qtbot)
         assert camera_pegs(window)[-1].px == pytest.approx(shown, abs=0.1)
@@ -310,7 +312,7 @@ class TestDragging:
         at = drag.at(places[0][1])
         QTest.mousePress(canvas.viewport(), middle, HELD, at)
         drag.release(places[0][1])
-        assert not canvas.camera_hand.dragging
+        assert not canvas.camera_drag.dragging
         assert canvas.panning
         QTest.mouseRelease(canvas.viewport(), middle, HELD, at)
         assert not canvas.panning
@@ -319,7 +321,7 @@ class TestDragging:
     def test_a_release_that_went_elsewhere_leaves_it_where_it_was_seen(self, window, drag, places):
         drag.carry(*places[0])
         drag.move(places[0][0])
-        assert not window.canvas.camera_hand.dragging
+        assert not window.canvas.camera_drag.dragging
         (peg,) = camera_pegs(window)
         assert peg.px == pytest.approx(drag.exactly(places[0][1]))
 
@@ -347,7 +349,8 @@ class TestTakingBack:
         assert camera_of(window) == first
         window.canvas.undo()
         assert window.document.corrections.here is None
-        said = heard(window.document)
+        said: list[str] = []
+        window.document.store.events.message.connect(lambda m: said.append(m.text))
         window.canvas.undo()
         assert said == ["nothing to undo on this frame"]
 
@@ -389,7 +392,7 @@ class TestWhatComesOfIt:
         window.document.walk.go_to(2)
         all_done(qtbot)
         assert window.document.corrections.here is None
-        assert not window.canvas.camera_hand.item.overlay.marks
+        assert not window.canvas.camera_drag.item.overlay.marks
         window.document.walk.go_to(1)
         all_done(qtbot)
         assert len(camera_pegs(window)) == 1

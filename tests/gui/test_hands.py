@@ -159,7 +159,7 @@ class TestLooks:
     def test_a_look_stays_across_frames_and_touches_no_pixel_of_the_frame(self, on_pitch, qtbot):
         document, canvas = on_pitch.document, on_pitch.canvas
         before = document.walk.picture.copy()
-        on_pitch.rail.looks.set_look(DisplayAdjustment(brightness=0.3))
+        on_pitch.side_bar.looks.set_look(DisplayAdjustment(brightness=0.3))
         canvas.set_look(DisplayAdjustment(brightness=0.3))
         assert canvas.shown.pixels.mean() > before.mean() + 10
         assert np.array_equal(document.walk.picture, before)

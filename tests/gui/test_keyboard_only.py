@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
 
-from procc_annotator.gui.window.keyboard_focus import Regions
+from procc_annotator.gui.window.keyboard_focus import FocusRegions
 from tests.gui.conftest import Hand
 
 KEY = Qt.Key
@@ -113,7 +113,7 @@ def test_space_still_pans(window, hand):
 
 
 def test_the_keyboard_goes_round_all_parts(window, hand):
-    regions = Regions(window).all()
+    regions = FocusRegions(window).all()
     seen = []
     for _ in regions:
         QTest.keyClick(QApplication.focusWidget(), KEY.Key_F6)

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.app import build_window
-from procc_annotator.gui.canvas.held_keys import typed_into
+from procc_annotator.gui.canvas.canvas_keys import typed_into
 from tests.gui.conftest import Hand
 
 LEFT = Qt.MouseButton.LeftButton

@@ -41,7 +41,7 @@ from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.window.key_dialogs import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
-from procc_annotator.gui.window.workspaces import DESKS
+from procc_annotator.gui.window.workspaces import WORKSPACES
 from procc_annotator.report.tables.data_files import json_bytes
 from procc_annotator.translation import (
     tr,
@@ -178,9 +178,9 @@ def test_no_word_of_the_window_is_left_out(pseudo, audited, monkeypatch):
     audited.document.store.events.message.connect(lambda m: found.append(("told", m.text)))
     audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     _draw_and_ask(audited)
-    for desk in DESKS:
+    for desk in WORKSPACES:
         audited.panels.turn_to(desk)
-        for name in DESKS[desk]:
+        for name in WORKSPACES[desk]:
             audited.panels.show(name)
             QApplication.processEvents()
     found += texts_of(audited)
@@ -406,9 +406,9 @@ def _cut_off(window: QWidget) -> dict[str, str]:
 def test_nothing_is_cut_off(longest, audited, monkeypatch):
     audited.resize(1280, 720)
     cut: dict[str, str] = {}
-    for desk in DESKS:
+    for desk in WORKSPACES:
         audited.panels.turn_to(desk)
-        for name in DESKS[desk]:
+        for name in WORKSPACES[desk]:
             audited.panels.show(name)
             cut |= _cut_off(audited)
     assert audited.size() == QSize(1280, 720)

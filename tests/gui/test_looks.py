@@ -6,14 +6,14 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from procc_annotator.gui.canvas.looks import LookControls
+from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.theme import palette
 from procc_annotator.image.pixels import DisplayAdjustment
 
 
 @pytest.fixture
-def controls(qtbot) -> LookControls:
-    controls = LookControls()
+def controls(qtbot) -> AdjustmentControls:
+    controls = AdjustmentControls()
     qtbot.addWidget(controls)
     controls.resize(230, controls.sizeHint().height())
     controls.show()
@@ -27,7 +27,7 @@ def announced(controls) -> list[DisplayAdjustment]:
     return looks
 
 
-def _number(controls: LookControls, name: str) -> str:
+def _number(controls: AdjustmentControls, name: str) -> str:
     label = controls.findChild(QLabel, f"look_{name}_number")
     return label.text()
 

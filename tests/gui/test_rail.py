@@ -22,7 +22,7 @@ def grey(image: QImage) -> np.ndarray:
 
 
 def test_buttons_do_what_the_keys_do_and_say_which(window, hand, qtbot):
-    buttons = window.rail.buttons
+    buttons = window.side_bar.buttons
     assert buttons["snapping"].key_text() == "S"
     assert buttons["redo"].key_text() == "Ctrl+Y"
     assert buttons["draw_mode"].isChecked()
@@ -38,7 +38,7 @@ def test_buttons_do_what_the_keys_do_and_say_which(window, hand, qtbot):
 
 
 def test_pan_moves_the_picture_until_esc(window, hand, qtbot):
-    canvas, pan = window.canvas, window.rail.buttons["pan"]
+    canvas, pan = window.canvas, window.side_bar.buttons["pan"]
     canvas.set_scale(4.0)
     window.document.selecting.select_class("Middle line")
     press(pan)
@@ -52,7 +52,7 @@ def test_pan_moves_the_picture_until_esc(window, hand, qtbot):
     assert not pan.isChecked()
     assert window.status.hint.text().startswith("DRAW")
     press(pan)
-    press(window.rail.buttons["draw_mode"])  # a tool that is taken up ends it, too
+    press(window.side_bar.buttons["draw_mode"])  # a tool that is taken up ends it, too
     assert not pan.isChecked()
 
 
@@ -61,7 +61,7 @@ def test_icons_stand_out_in_both_themes(window, qapp, dark):
     before = qapp.palette()
     qapp.setPalette(palette(dark))
     try:
-        for button in window.rail.findChildren(IconButton):
+        for button in window.side_bar.findChildren(IconButton):
             shade = grey(button.grab().toImage())
             assert np.ptp(shade) > 100, button.objectName()
     finally:

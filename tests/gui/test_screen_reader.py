@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.canvas.split_view import DividerGrip
-from procc_annotator.gui.window.workspaces import DESKS
+from procc_annotator.gui.canvas.viewport_overlays import DividerGrip
+from procc_annotator.gui.window.workspaces import WORKSPACES
 
 _NONE = (QAccessible.Role.NoRole, QAccessible.Role.Client, QAccessible.Role.Border)
 # What only holds others has no role of its own.
@@ -53,9 +53,9 @@ def unnamed(window: QWidget) -> dict[str, str]:
 
 
 def test_everything_that_takes_the_keyboard_says_what_it_is(audited, qtbot):
-    for desk in DESKS:
+    for desk in WORKSPACES:
         audited.panels.turn_to(desk)
-        for name in DESKS[desk]:
+        for name in WORKSPACES[desk]:
             audited.panels.show(name)
     assert len(taking_keys(audited)) > 60
     assert unnamed(audited) == {}

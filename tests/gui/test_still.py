@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from procc_annotator.gui.canvas.still import StillOverlay
+from procc_annotator.gui.canvas.overlay_item import StillOverlay
 from procc_annotator.interaction.overlay_primitives import Labels, Overlay, Strokes
 
 ROOM = QSize(400, 120)
@@ -52,9 +52,10 @@ def test_texts_stay_in_what_is_seen(qapp):
         image.fill(QColor("#3f7f3f"))
         painter = QPainter(image)
         area = QRectF(0, 0, ROOM.width(), ROOM.height())
-        layers = (Overlay((), (), (label,)),)
-        at = {"scale": 2.0, "offset": (0.0, 0.0), "clip": area, "room": ROOM, "seen": seen}
-        still.paint(painter, layers, **at)
+        still.paint(
+            painter, (Overlay((), (), (label,)),), scale=2.0, offset=(0.0, 0.0),
+            clip=area, room=ROOM, seen=seen,
+        )  # fmt: skip
         painter.end()
         pixels = np.frombuffer(image.constBits(), np.uint8).reshape(ROOM.height(), -1, 4)
         assert (pixels[:, : ROOM.width() // 2] != pixels[0, 0]).any()

@@ -35,7 +35,7 @@ def test_everything_is_in_sight_at_1280x720(make_window, dataset, qtbot, text_si
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 300)
     assert window.size() == QSize(1280, 720)
     bar = window.top_bar
-    buttons = window.rail.findChildren(IconButton)
+    buttons = window.side_bar.findChildren(IconButton)
     for widget in (bar.chip, bar.saved, bar.search, window.status, *buttons):
         assert widget.isVisible(), widget.objectName()
         assert inside(widget, window), widget.objectName()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.canvas.held_keys import beside_picture, typed_into
+from procc_annotator.gui.canvas.canvas_keys import beside_picture, typed_into
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
 
 _WIDTH = 2
@@ -122,7 +122,7 @@ _NAMES = {
 }
 
 
-class KeysBack(QObject):
+class FocusReturn(QObject):
     """Routes keys to the picture.
 
     A click next to the picture gives the keyboard to text only: whatever else is clicked leaves the
@@ -209,7 +209,7 @@ def _nothing() -> None:
 _BY_TAB = Qt.FocusPolicy.TabFocus
 
 
-class Regions:
+class FocusRegions:
     """Takes the keyboard from one part of a window to the next, left to right, top to bottom."""
 
     def __init__(self, window: QMainWindow) -> None:

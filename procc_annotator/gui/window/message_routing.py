@@ -26,7 +26,7 @@ from procc_annotator.translation import tr
 _TITLE = "ProCC Annotator[*]"  # not shown
 
 
-class Telling(QObject):
+class MessageRouter(QObject):
     """Puts each thing that is said in its place: what matters stays until it is dealt with."""
 
     def __init__(

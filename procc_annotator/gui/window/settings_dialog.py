@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.widgets import RangeBox, ScrolledContent, empty_state
 from procc_annotator.gui.settings import FLAG, NUMBER, OFFERED, Setting, Shown
-from procc_annotator.gui.window.window_settings import Options
+from procc_annotator.gui.window.window_settings import BoundSettings
 from procc_annotator.translation import tr
 
 _SIZE = QSize(680, 640)
@@ -37,7 +37,7 @@ _LINES = 18  # letters across a box
 class SettingRow(QWidget):
     """One setting: its name, what is chosen, the way back to the default, what it does."""
 
-    def __init__(self, setting: Setting[Any], options: Options, changed: Callable[[], None]):
+    def __init__(self, setting: Setting[Any], options: BoundSettings, changed: Callable[[], None]):
         super().__init__()
         assert setting.shown is not None
         self.setting, self._shown = setting, setting.shown
@@ -143,7 +143,7 @@ class SettingsDialog(QDialog):
 
     keysWanted = Signal()
 
-    def __init__(self, options: Options, parent: QWidget) -> None:
+    def __init__(self, options: BoundSettings, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("settingsDialog")
         self.setWindowTitle(tr("Settings"))

@@ -19,7 +19,7 @@ from procc_annotator.interaction.hints import SEPARATOR
 from procc_annotator.translation import tr, word
 
 
-class Apart(QWidget):
+class IsolatedRow(QWidget):
     """Gives a widget all its room: whatever that asks for, nothing around is laid out anew."""
 
     def __init__(self, widget: QWidget) -> None:
@@ -246,7 +246,7 @@ class StatusLine(QStatusBar):
         layout.addWidget(self.hint, 1)
         for part in (self.work, self.apart, self.good_to, self.pixels, self.metres):
             layout.addWidget(part)
-        self.addWidget(Apart(line), 1)
+        self.addWidget(IsolatedRow(line), 1)
         self._hint = self._message = ""
         self._message_timer = QTimer(self)
         self._message_timer.setSingleShot(True)

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
     QWidgetAction,
 )
 
-from procc_annotator.gui.canvas.looks import LookControls
+from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.theme import blend, paint_icon
@@ -208,7 +208,7 @@ _BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and th
 _HELD = {"pan": "Space"}  # not shown
 
 
-class Rail(QToolBar):
+class SideToolBar(QToolBar):
     """Buttons of the table of actions, one below the other, and of how the picture looks."""
 
     lookChanged = Signal(object)  # how pictures are to be shown
@@ -247,7 +247,7 @@ class Rail(QToolBar):
 
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""
-        self.looks = LookControls()
+        self.looks = AdjustmentControls()
         self.looks.lookChanged.connect(self.lookChanged)
         menu = QMenu(self)
         action = QWidgetAction(menu)

@@ -27,9 +27,10 @@ from procc_annotator.gui.panels.widgets import RangeBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.status import Apart, ElidedLabel, PaintedText, SteadyLabel
+from procc_annotator.gui.window.status import ElidedLabel, IsolatedRow, PaintedText, SteadyLabel
 from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.translation import tr, tr_count, word
 
@@ -114,7 +115,8 @@ class CameraBar(QWidget):
         row.addWidget(self.terms, 1)
         store = document.store
         store.watch(lambda s: (s.looks, s.active), self._show_cameras)
-        store.watch(judged, self._show_score)
+        store.watch(judged, self._show_score, When.AFTER_PAINT)
+        store.watch(lambda s: s.projection_visible, self._show_score)  # hidden at once
         self._show_cameras()
 
     def _show_cameras(self) -> None:
@@ -387,7 +389,7 @@ class TopBar(QToolBar):
         row.addStretch()
         row.addWidget(self.saved)
         row.addWidget(self.search)
-        self.addWidget(Apart(line))
+        self.addWidget(IsolatedRow(line))
         store = document.store
         store.watch(lambda s: (s.workspace, s.frame_index), self._show_frame)
         store.watch(lambda s: (s.workspace, s.field), self._show_dataset)

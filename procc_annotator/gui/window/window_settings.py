@@ -16,7 +16,7 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import set_text_size, set_theme
-from procc_annotator.gui.window.workspaces import Docks
+from procc_annotator.gui.window.workspaces import Workspaces
 
 # Settings that an action each sets: its name begins so, and ends with the value.
 _CHOICES = {
@@ -34,7 +34,7 @@ class _Place:
     put: Callable[[Any], object] = lambda value: None
 
 
-class Options:
+class BoundSettings:
     """Reads and changes what the window does; what is kept nowhere else is kept in the file."""
 
     def __init__(
@@ -98,7 +98,7 @@ class Options:
                 self._settings.set(setting, self.value(setting))
 
 
-def dress(settings: Settings) -> None:
+def apply_appearance(settings: Settings) -> None:
     """Have the application look as it is remembered, before anything of it is made."""
     if (theme := settings.get(rows.THEME)) != rows.THEME.default:
         set_theme(_application(), theme)
@@ -131,16 +131,20 @@ _SIZE = QSize(1440, 900)
 _AROUND = QSize(16, 48)  # what a desktop puts around a window, and its title; it tells too late
 
 
-class Remembering:
+class WindowState:
     """Puts a window in the state it was left in."""
 
     def __init__(
-        self, settings: Settings, window: QMainWindow, options: Options, docks: Docks
+        self,
+        settings: Settings,
+        window: QMainWindow,
+        options: BoundSettings,
+        workspaces: Workspaces,
     ) -> None:
         self._settings = settings
         self._window = window
         self._options = options
-        self._docks = docks
+        self._workspaces = workspaces
 
     def take_up(self) -> None:
         """Give the window what is remembered."""
@@ -148,15 +152,15 @@ class Remembering:
         window.resize(_SIZE.boundedTo(window.screen().availableGeometry().size() - _AROUND))
         if not (geometry := settings.get(rows.GEOMETRY)).isEmpty():
             window.restoreGeometry(geometry)
-            if self._docks.restore(settings.get(rows.LAYOUT)):
-                self._docks.restore_desks(settings.get(rows.DESKS))
+            if self._workspaces.restore(settings.get(rows.LAYOUT)):
+                self._workspaces.restore_kept(settings.get(rows.DESKS))
         self._options.take_up_all()
 
     def write_down(self) -> None:
         """Remember the window as it is."""
         settings = self._settings
         settings.set(rows.GEOMETRY, self._window.saveGeometry())
-        settings.set(rows.LAYOUT, self._docks.state())
-        settings.set(rows.DESKS, self._docks.desks())
+        settings.set(rows.LAYOUT, self._workspaces.state())
+        settings.set(rows.DESKS, self._workspaces.kept())
         self._options.write_down()
         settings.sync()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import pairwise
 
-from PySide6.QtCore import QByteArray, QEvent, Qt
+from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -43,15 +44,34 @@ TITLES = {
     "review": word("Review"),
     "agreement": word("Agreement"),
 }
-_ALONE = ("frames", "field_map")  # the others share a column as tabs, desk by desk
-DESKS: Mapping[str, tuple[str, ...]] = {
+_ALONE = ("frames", "field_map")  # the others share a column as tabs, workspace by workspace
+WORKSPACES: Mapping[str, tuple[str, ...]] = {
     "annotate": ("elements", "findings", "landmarks"),
     "judge": ("scores", "cameras", "fit", "plots"),
     "review": ("review", "agreement"),
 }
-_BELOW = frozenset(["plots"])  # in a drawer below the picture, which is shut at first
+_PLOTS = "plots"
+_BELOW = frozenset([_PLOTS])  # in a drawer below the picture, which is shut at first
 _LATER = frozenset(["agreement"])  # until there is a second annotator
 _DRAWER_HEIGHT = 0.38  # of the window's height
+
+
+@dataclass(frozen=True, slots=True)
+class _Look:
+    """How a workspace was left.
+
+    Attributes:
+        open: its docks that are not closed.
+        front: the one in front of its tabs.
+        width, map_height: of the column and of the field map above it, px; 0 where it is not shown.
+        drawer_height: of what is below the picture, px; 0 where it was not seen yet.
+    """
+
+    open: tuple[str, ...]
+    front: str
+    width: int = 0
+    map_height: int = 0
+    drawer_height: int = 0
 
 
 def _catch_up(panel: QWidget, in_sight: bool) -> None:
@@ -61,19 +81,35 @@ def _catch_up(panel: QWidget, in_sight: bool) -> None:
             refresher.catch_up()
 
 
-class Docks:
-    """The window's docks by name.
+class Workspaces(QObject):
+    """The docks of the window's panels, workspace by workspace.
 
     Attributes:
-        by_name: one for each panel.
-        desk: the one in sight.
-        turned: called with which desk is in sight after another was.
+        by_name: one dock for each panel.
+        workspace: the one in sight.
     """
 
-    def __init__(self, window: QMainWindow, panels: Mapping[str, QWidget]) -> None:
-        self._window = window
-        self.turned: Callable[[str], object] = _nobody
+    turned = Signal(str)  # which workspace is in sight
+    allHidden = Signal(bool)  # every panel is hidden on purpose, or no longer
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        panels: Mapping[str, QWidget],
+        canvas: QWidget,
+        entrances: Mapping[str, Callable[[], None]],
+    ) -> None:
+        """
+        Args:
+            window: the docks' parent.
+            panels: by name, as in `TITLES`.
+            canvas: gets the keyboard focus when panels are closed.
+            entrances: panel -> puts the keyboard focus where text is entered in it.
+        """
+        super().__init__(window)
+        self._window, self._canvas, self._entrances = window, canvas, entrances
         self._open = QByteArray()
+        self._hidden = False
         self.by_name: dict[str, QDockWidget] = {}
         for name, title in TITLES.items():
             dock = QDockWidget(tr(title), window)
@@ -83,7 +119,8 @@ class Docks:
             panels[name].setMinimumWidth(narrowest)
             dock.visibilityChanged.connect(partial(_catch_up, panels[name]))
             self.by_name[name] = dock
-        self.desk = next(iter(DESKS))
+        self.workspace = next(iter(WORKSPACES))
+        self._looks: dict[str, _Look] = {}
         self._sized_late = True  # the window is not shown yet
         self.arrange()
 
@@ -99,14 +136,14 @@ class Docks:
             dock.hide()  # one above the other they would need more height than the window has
             window.addDockWidget(_area_of(name), dock)
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        in_tabs = [name for desk in DESKS.values() for name in desk if name not in _BELOW]
+        in_tabs = [n for names in WORKSPACES.values() for n in names if n not in _BELOW]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
-        self._states: dict[str, QByteArray] = {}
-        self._drawer_sized = False
+        self._looks = {workspace: _first_look(workspace) for workspace in WORKSPACES}
+        self.workspace = next(iter(WORKSPACES))
         for name in _ALONE:
             docks[name].show()
-        self._show_desk(next(iter(DESKS)))
+        self._show_workspace()
         self._take_first_sizes()
 
     def settle(self) -> None:
@@ -128,49 +165,102 @@ class Docks:
             [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
         )
 
-    # --- desks --------------------------------------------------------------------------------
+    def reset_layout(self) -> None:
+        """Forget the arrangement of panels."""
+        self._set_hidden(False)
+        self.arrange()
 
-    def turn_to(self, desk: str) -> None:
+    # --- workspaces ---------------------------------------------------------------------------
+
+    def turn_to(self, workspace: str) -> None:
         """Show the panels of one kind of work as they were left; a torn off panel stays."""
-        if desk != self.desk:
-            self._states[self.desk] = self.state()
-            self._show_desk(desk)
+        self._unhide()
+        self._turn_to(workspace)
+        self.turned.emit(workspace)  # a tick that was taken away by hand comes back
 
-    def _show_desk(self, desk: str) -> None:
-        docks = self.by_name
-        floating = [d for d in docks.values() if d.isFloating() and not d.isHidden()]
-        places = [dock.geometry() for dock in floating]
-        self.desk = desk
-        state = self._states.get(desk)
-        if state is None or not self._window.restoreState(state, _VERSION):
-            for other, names in DESKS.items():
-                for name in names:
-                    if not docks[name].isFloating():
-                        docks[name].setVisible(other == desk and name not in _LATER | _BELOW)
-            docks[DESKS[desk][0]].raise_()
-        for dock, place in zip(floating, places, strict=True):
-            dock.setFloating(True)
-            dock.setGeometry(place)
-            dock.show()
+    def _turn_to(self, workspace: str) -> None:
+        if workspace != self.workspace:
+            self._looks[self.workspace] = self._look()
+            self.workspace = workspace
+            self._show_workspace()
+
+    def _show_workspace(self) -> None:
+        look, docks = self._looks[self.workspace], self.by_name
+        for workspace, names in WORKSPACES.items():
+            for name in names:
+                if not docks[name].isFloating():
+                    docks[name].setVisible(workspace == self.workspace and name in look.open)
+        if look.front in look.open:
+            docks[look.front].raise_()
+            if look.width:
+                self._resize(look)
+        self._resize_drawer(look.drawer_height)
         self.show_whole_tabs()
-        self.turned(desk)
+        self.turned.emit(self.workspace)
+
+    def _resize(self, look: _Look) -> None:
+        above, below = self.by_name["field_map"], self.by_name[look.front]
+        self._window.resizeDocks([below], [look.width], Qt.Orientation.Horizontal)
+        if look.map_height:
+            self._window.resizeDocks([above], [look.map_height], Qt.Orientation.Vertical)
+
+    def _resize_drawer(self, height: int = 0) -> None:
+        """Have the drawer so high, px; 0: as it is at first."""
+        drawers = [d for name in _BELOW if not (d := self.by_name[name]).isHidden()]
+        height = height or round(_DRAWER_HEIGHT * self._window.height())
+        if drawers:
+            sizes = [height] * len(drawers)
+            self._window.resizeDocks(drawers, sizes, Qt.Orientation.Vertical)
+
+    def _look(self) -> _Look:
+        docks = self.by_name
+        names = WORKSPACES[self.workspace]
+        opened = tuple(name for name in names if not docks[name].isHidden())
+        in_tabs = [n for n in opened if n not in _BELOW]
+        shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
+        front = shown[0] if shown else (in_tabs or names)[0]
+        field_map = docks["field_map"]
+        height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
+        width = docks[front].width() if opened and not docks[front].isFloating() else 0
+        drawer = self._looks[self.workspace].drawer_height
+        for name in _BELOW & set(opened):
+            drawer = docks[name].height()
+        return _Look(opened, front, width, height, drawer)
 
     def show(self, name: str) -> None:
-        """Open a dock, turning to its desk, and bring it to the front of its tabs."""
+        """Open a dock in its workspace and bring it to the front of its tabs."""
+        self._unhide()
         dock = self.by_name[name]
+        found = (n for n, panels in WORKSPACES.items() if name in panels)
+        workspace = next(found, self.workspace)
         if not dock.isFloating():
-            self.turn_to(next((desk for desk, names in DESKS.items() if name in names), self.desk))
+            self._turn_to(workspace)
+        opens = dock.isHidden() and name in _BELOW
         dock.show()
         dock.raise_()
-        if name in _BELOW and not self._drawer_sized:
-            self._drawer_sized = True
-            height = round(_DRAWER_HEIGHT * self._window.height())
-            self._window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
+        if opens:
+            self._resize_drawer(self._looks[workspace].drawer_height)
         self.show_whole_tabs()
 
-    def hide(self, name: str) -> None:
-        """Close a dock."""
-        self.by_name[name].hide()
+    def show_unless_hidden(self, name: str) -> None:
+        """The same, unless all panels are hidden on purpose."""
+        if not self._hidden:
+            self.show(name)
+
+    def enter(self, name: str) -> None:
+        """Open a panel and put the keyboard focus where text is entered in it."""
+        self.show(name)
+        self._entrances[name]()
+
+    def toggle_plots(self) -> None:
+        """Open the plots below the picture, or close them; a torn off panel comes to the front."""
+        dock = self.by_name[_PLOTS]
+        if dock.isHidden() or dock.isFloating():
+            self.show(_PLOTS)
+            return
+        self._looks[self.workspace] = self._look()  # as high it opens again
+        dock.hide()
+        self._canvas.setFocus()
 
     def show_whole_tabs(self) -> None:
         """Whole words of some panels, with arrows to the rest, rather than "Ca..." of all."""
@@ -179,34 +269,42 @@ class Docks:
             bar.setElideMode(Qt.TextElideMode.ElideNone)
             bar.setUsesScrollButtons(True)
 
-    def hide_all(self) -> None:
-        """Close every dock, until `bring_back`."""
-        self._open = self.state()
-        for dock in self.by_name.values():
-            dock.hide()
+    def hide_all(self, hidden: bool) -> None:
+        """Close every dock, or open those again that were open."""
+        self._set_hidden(hidden)
+        if hidden:
+            self._open = self.state()
+            for dock in self.by_name.values():
+                dock.hide()
+            self._canvas.setFocus()
+        else:
+            self.restore(self._open)
 
-    def bring_back(self) -> None:
-        """Open the docks that were open."""
-        self.restore(self._open)
+    def _unhide(self) -> None:
+        if self._hidden:
+            self.hide_all(False)
+
+    def _set_hidden(self, hidden: bool) -> None:
+        self._hidden = hidden
+        self.allHidden.emit(hidden)
 
     def state(self) -> QByteArray:
         """The arrangement, to be remembered."""
         return self._window.saveState(_VERSION)
 
-    def desks(self) -> dict[str, object]:
-        """Return the arrangement of every desk and which one is in sight, to be remembered."""
-        states = self._states | {self.desk: self.state()}
-        kept = {name: bytes(state.toBase64().data()).decode() for name, state in states.items()}
-        return {"desk": self.desk, **kept}
+    def kept(self) -> dict[str, object]:
+        """Return how every workspace looks and which one is in sight, to be remembered."""
+        looks = self._looks | {self.workspace: self._look()}
+        return {"desk": self.workspace, **{name: asdict(look) for name, look in looks.items()}}
 
-    def restore_desks(self, kept: Mapping[str, object]) -> None:
-        """Have the desks look as they did; what cannot be read of it stays as it is at first."""
-        for desk in DESKS:
-            if isinstance(state := kept.get(desk), str):
-                self._states[desk] = QByteArray.fromBase64(state.encode())
-        self._show_desk(str(last) if (last := kept.get("desk")) in DESKS else self.desk)
-        for name in _LATER:  # waits for something to be opened
-            self.by_name[name].hide()
+    def restore_kept(self, kept: Mapping[str, object]) -> None:
+        """Restore the workspaces; what cannot be read stays as it is at first."""
+        for workspace in WORKSPACES:
+            if (look := _look_of(workspace, kept.get(workspace))) is not None:
+                self._looks[workspace] = look
+        if (last := kept.get("desk")) in WORKSPACES:
+            self.workspace = str(last)
+        self._show_workspace()
 
     def restore(self, state: QByteArray) -> bool:
         """Arrange the docks as they were; False, and nothing done, if that was another version."""
@@ -215,14 +313,33 @@ class Docks:
         return restored
 
 
-def _nobody(_: str) -> None:
-    """Nobody is notified yet."""
+def _first_look(workspace: str) -> _Look:
+    names = WORKSPACES[workspace]
+    return _Look(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
 
 
 def _area_of(name: str) -> Qt.DockWidgetArea:
     if name in _BELOW:
         return _BOTTOM
     return _LEFT if name == "frames" else _RIGHT
+
+
+def _look_of(workspace: str, kept: object) -> _Look | None:
+    """Return a look as it was kept, without unknown docks; None if it cannot be read. A panel that
+    waits for something to be opened is closed until then."""
+    if not isinstance(kept, dict) or not isinstance(kept.get("open"), list):
+        return None
+    names = [n for n in WORKSPACES[workspace] if n in kept["open"] and n not in _LATER]
+    front = kept.get("front")
+    sizes = [kept.get(name) for name in ("width", "map_height", "drawer_height")]
+    width, height, drawer = (size if isinstance(size, int) else 0 for size in sizes)
+    return _Look(
+        tuple(names),
+        str(front) if front in names else (names or WORKSPACES[workspace])[0],
+        width,
+        height,
+        drawer,
+    )
 
 
 _TITLES = {
@@ -233,8 +350,8 @@ _TITLES = {
 _ROOM = 6  # px around the words: no more than the menus have beside them
 
 
-class DeskSwitch(QWidget):
-    """Buttons of the actions that turn to a desk."""
+class WorkspaceSwitch(QWidget):
+    """Buttons of the actions that turn to a workspace."""
 
     def __init__(self, window: QMainWindow, actions: Actions) -> None:
         super().__init__(window)
@@ -242,11 +359,11 @@ class DeskSwitch(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 4, 0)
         row.setSpacing(2)
-        for desk in DESKS:
-            action = actions[f"desk_{desk}"]
-            action.setIconText(tr(_TITLES[desk], "desk"))
+        for workspace in WORKSPACES:
+            action = actions[f"desk_{workspace}"]
+            action.setIconText(tr(_TITLES[workspace], "desk"))
             button = QToolButton()
-            button.setObjectName(f"desk_{desk}")
+            button.setObjectName(f"desk_{workspace}")
             button.setDefaultAction(action)
             button.setAutoRaise(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
@@ -269,49 +386,42 @@ class DeskSwitch(QWidget):
             button.setMaximumHeight(self.fontMetrics().height() + _ROOM)
 
 
-_DOCK, _DESK = "plots", "judge"
-
-
-class Drawer(QToolButton):
+class PlotsHandle(QToolButton):
     """A strip across the foot of the picture while one judges; pulled, the drawer opens or shuts.
 
     What is torn off is no drawer any more: the handle brings it to the front.
     """
 
-    def __init__(self, docks: Docks, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, workspaces: Workspaces) -> None:
+        super().__init__()
         self.setObjectName("drawerHandle")
-        self._docks, self._dock = docks, docks.by_name[_DOCK]
+        self._dock = workspaces.by_name[_PLOTS]
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._keys = ""
         self._dock.visibilityChanged.connect(self._show_state)
-        self.show_for(docks.desk)
+        self.clicked.connect(workspaces.toggle_plots)
+        workspaces.turned.connect(self._show_for)
+        self._show_for(workspaces.workspace)
 
     def take_keys(self, action: QAction) -> None:
         """Show the keys that do the same, whatever they are."""
         action.changed.connect(lambda: self._take_keys(action))
         self._take_keys(action)
 
-    def show_for(self, desk: str) -> None:
-        """A desk came into sight."""
-        self.setVisible(desk == _DESK)
+    def _show_for(self, workspace: str) -> None:
+        self.setVisible(_PLOTS in WORKSPACES[workspace])
         self._show_state()
 
     def _take_keys(self, action: QAction) -> None:
         self._keys = action.shortcut().toString()
         self._show_state()
 
-    @property
-    def is_open(self) -> bool:
-        """Return whether the plots are in sight, in the drawer or torn off."""
-        return not self._dock.isHidden()
-
     def _show_state(self) -> None:
         title = tr("Plots")
         self.setText(f"{title}  {self._keys}" if self._keys else title)
-        shut = not self.is_open or self._dock.isFloating()
+        shut = self._dock.isHidden() or self._dock.isFloating()
         self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
         told = tr("Open the plots below the picture") if shut else tr("Shut the plots")
         self.setToolTip(told)

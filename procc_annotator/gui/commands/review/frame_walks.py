@@ -25,7 +25,7 @@ from procc_annotator.gui.state.review_state import UNFINISHED
 from procc_annotator.translation import tr, word
 
 
-class Tour:
+class StatusWalk:
     """Slots of the menu Frame that look at more than one frame."""
 
     def __init__(self, document: Document) -> None:

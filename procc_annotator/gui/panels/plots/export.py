@@ -143,7 +143,7 @@ def _png(image: QImage) -> bytes:
     return bytes(held.data())
 
 
-class TakingAlong(QWidget):
+class ExportablePlot(QWidget):
     """A panel with one plot on show, which can be copied and saved."""
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
-from procc_annotator.gui.panels.plots.export import TakingAlong
+from procc_annotator.gui.panels.plots.export import ExportablePlot
 from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.panels.widgets import choice, empty_state
 from procc_annotator.gui.state import selectors as select
@@ -52,7 +52,7 @@ def _kinds() -> tuple[_Kind, ...]:
     return (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
 
-class PlotsPanel(TakingAlong):
+class PlotsPanel(ExportablePlot):
     """Chooses a plot and what it is of; what it shows is computed in the background for a set."""
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:

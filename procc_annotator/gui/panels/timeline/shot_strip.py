@@ -356,7 +356,7 @@ class ShotStrip(QWidget):
         self.update()
 
 
-class StripPlace(QObject):
+class StripVisibility(QObject):
     """Shows and hides the strip."""
 
     def __init__(self, document: Document, editor: Editor, strip: ShotStrip) -> None:
