@@ -48,14 +48,16 @@ _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class PaintedText(QWidget):
-    """A text in the room that it has: whatever it says, nothing is laid out anew, and what it is
-    about is painted first."""
+class ElidedLabel(QWidget):
+    """A text that is shortened with dots instead of pushing its neighbours out."""
 
     def __init__(self) -> None:
         super().__init__()
         self._text = ""
-        self._soon = after_paint(self, self.update)
+        self._soon = after_paint(self, self.update)  # what the text is about is painted first
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._long_title: re.Pattern[str] | None = None
+        self._begins_with_title = True
 
     def text(self) -> str:
         """All of it."""
@@ -67,16 +69,6 @@ class PaintedText(QWidget):
             self._text = text
             self.setAccessibleName(text)
             self._soon.start()
-
-
-class ElidedLabel(PaintedText):
-    """A text that is shortened with dots instead of pushing its neighbours out."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._long_title: re.Pattern[str] | None = None
-        self._begins_with_title = True
 
     def show_line(self, message: str, hint: str) -> None:
         """What just happened, and before what the next click does; either may be empty."""
@@ -149,7 +141,7 @@ def _most(widths: Sequence[int], room: int) -> int:
     return max(widths, default=0)
 
 
-class Readout(PaintedText):
+class Readout(QLabel):
     """A text that changes with every move of the mouse, in fixed room."""
 
     def __init__(self, name: str, widest: str) -> None:
@@ -157,6 +149,7 @@ class Readout(PaintedText):
         self.setObjectName(name)
         self._widest = widest
         self.setFont(fixed_width(self.font()))
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._make_room()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -167,12 +160,6 @@ class Readout(PaintedText):
     def _make_room(self) -> None:
         metrics = self.fontMetrics()
         self.setFixedSize(metrics.horizontalAdvance(self._widest), metrics.height() + 2)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setPen(self.palette().windowText().color())
-        edge = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(self.rect(), edge, self._text)
 
 
 class SteadyLabel(QLabel):
@@ -283,20 +270,20 @@ class StatusLine(QStatusBar):
         self, px: tuple[float, float] | None, metres: tuple[float, float] | None
     ) -> None:
         """Where the cursor is; None when it is nowhere."""
-        self.pixels.set_text("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
-        self.metres.set_text("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
+        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
 
     def set_disagreement(self, shown: bool, apart: tuple[float, float] | None) -> None:
         """Metres and px between two cameras at the cursor; takes no room unless it is shown."""
         if self.apart.isHidden() == shown:
             self.apart.setVisible(shown)
-        self.apart.set_text("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
+        self.apart.setText("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
 
     def set_uncertainty(self, shown: bool, metres: float | None) -> None:
         """Standard deviation on the ground at the cursor; takes no room unless it is shown."""
         if self.good_to.isHidden() == shown:
             self.good_to.setVisible(shown)
-        self.good_to.set_text("" if metres is None else tr(_GROUND, metres=metres))
+        self.good_to.setText("" if metres is None else tr(_GROUND, metres=metres))
 
     def set_work(self, text: str, tip: str = "") -> None:
         """What goes on in the background; empty when nothing does."""
