@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QAction, QKeySequence, QPainter, QPaintEvent
+from PySide6.QtGui import QAction, QColor, QKeySequence, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -183,6 +183,7 @@ class SaveState(QLabel):
         self.setObjectName("savedState")
         self.setFont(fixed_width(self.font()))
         self.setMargin(_SAVED_PAD)
+        self.setBackgroundRole(QPalette.ColorRole.Window)  # not that of a tool bar
         self._document, self._alarm = document, False
         store = document.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
@@ -196,9 +197,15 @@ class SaveState(QLabel):
         self.setText(text)
         if alarm != self._alarm:
             self._alarm = alarm
-            ground, colour = alarm_colours(self.palette())
-            look = f"background: {ground}; color: {colour}; font-weight: bold"
-            self.setStyleSheet(look if alarm else "")
+            colours, font = QPalette(), self.font()
+            if alarm:
+                roles = (QPalette.ColorRole.Window, QPalette.ColorRole.WindowText)
+                for role, tone in zip(roles, alarm_colours(self.palette()), strict=True):
+                    colours.setColor(role, QColor(tone))
+            font.setBold(alarm)
+            self.setPalette(colours)
+            self.setFont(font)
+            self.setAutoFillBackground(alarm)
 
     def minimumSizeHint(self) -> QSize:
         """Room for the usual words, so that neighbours stay where they are."""
