@@ -38,7 +38,7 @@ _NOT_OF_WINDOW = tuple(
     PACKAGE / name
     for name in (
         "gui/selftest.py",
-        "gui/canvas/comparison_panel.py",
+        "gui/canvas/comparison_picture.py",
         "gui/canvas/comparison_picture.py",
         "gui/canvas/overlay_picture.py",
         "interaction/legend.py",

@@ -49,6 +49,7 @@ from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripVisib
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
 from procc_annotator.gui.window.commands import Commands
@@ -157,7 +158,7 @@ class MainWindow(QMainWindow):
             document, lambda: self.ghost_tasks.accepting.least_support, self
         )
         self.canvas.editor.ask_first(
-            self.canvas.camera_hand.key,
+            self.canvas.camera_drag.key,
             self.assistant.key,
             self.ghost_tasks.key,
             self.stretch_accepting.key,
@@ -282,7 +283,7 @@ class MainWindow(QMainWindow):
         note_activity = document.review.note_activity
         for moved in (self.canvas.cursorMoved, self.canvas.viewChanged):
             moved.connect(note_activity)
-        document.store.watch(lambda s: (s.annotation, s.selection), note_activity)
+        document.store.watch(lambda s: (s.annotation, s.selection), note_activity, When.AFTER_PAINT)
 
     # --- showing the document -------------------------------------------------------------
 

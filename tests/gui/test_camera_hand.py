@@ -174,7 +174,7 @@ class TestTakingHold:
         places: list[tuple[Place, Place]],
         qtbot: QtBot,
     ) -> None:
-        hand = window.canvas.camera_hand
+        hand = window.canvas.camera_drag
         assert window.canvas.overlay_item.ghosts.strokes
         drag.move(places[0][0])
 
@@ -194,11 +194,11 @@ class TestTakingHold:
 
     def test_the_keys_alone_show_it(self, window: MainWindow, drag: CameraDrag) -> None:
         QTest.keyPress(window.canvas, Key.Key_Control)
-        assert not window.canvas.camera_hand.held
+        assert not window.canvas.camera_drag.held
         QTest.keyPress(window.canvas, Key.Key_Alt, CTRL)
-        assert window.canvas.camera_hand.held
+        assert window.canvas.camera_drag.held
         QTest.keyRelease(window.canvas, Key.Key_Alt, CTRL)
-        assert not window.canvas.camera_hand.held
+        assert not window.canvas.camera_drag.held
         QTest.keyRelease(window.canvas, Key.Key_Control)
 
     def test_a_click_of_it_draws_nothing(
@@ -215,11 +215,11 @@ class TestTakingHold:
     ) -> None:
         drag.drag(*places[0])
         window.document.blind_lock.set_blind(True)
-        assert not window.canvas.camera_hand.item.overlay.marks
+        assert not window.canvas.camera_drag.item.overlay.marks
         drag.drag(*places[1])
         assert "blind mode" in window.status.hint.text()
         assert window.document.corrections.here is None
-        assert not window.canvas.camera_hand.item.overlay.strokes[1].segments.size
+        assert not window.canvas.camera_drag.item.overlay.strokes[1].segments.size
         window.document.blind_lock.set_blind(False)
         assert len(camera_pegs(window)) == 1
 
@@ -234,7 +234,7 @@ class TestDragging:
         self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
     ) -> None:
         start, end = places[0]
-        hand = window.canvas.camera_hand
+        hand = window.canvas.camera_drag
         for share in (0.4, 0.8, 1.0):
             aim = start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
             if share == 0.4:
@@ -271,7 +271,7 @@ class TestDragging:
         assert window.canvas.found_plate.text.startswith(
             "Camera dragged, 1 peg, made exact on paint: "
         )
-        assert len(window.canvas.camera_hand.item.overlay.marks[0].centres) == 1
+        assert len(window.canvas.camera_drag.item.overlay.marks[0].centres) == 1
 
     def test_a_second_place_leaves_the_first_where_it_was_put(
         self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
@@ -284,7 +284,7 @@ class TestDragging:
         assert start is not None
         end = start.px[0] + 12.0, start.px[1] - 7.0
         drag.carry(start.px, (start.px[0] + 9.0, start.px[1]), end)
-        hand = window.canvas.camera_hand
+        hand = window.canvas.camera_drag
         held = hand._dragged
         assert held is not None
         assert control_point_errors(held, [first])[0] < 0.1
@@ -332,7 +332,7 @@ class TestDragging:
         assert start is not None
         near, beyond = (start.px[0] + 12.0, start.px[1]), (start.px[0] + 900.0, start.px[1])
         drag.carry(start.px, near, beyond)
-        shown = window.canvas.camera_hand.item.overlay.marks[-1].centres[0].tolist()
+        shown = window.canvas.camera_drag.item.overlay.marks[-1].centres[0].tolist()
         drag.release(beyond)
         all_done(qtbot)
         assert camera_pegs(window)[-1].px == pytest.approx(shown, abs=0.1)
@@ -345,7 +345,7 @@ class TestDragging:
         at = drag.at(places[0][1])
         QTest.mousePress(canvas.viewport(), middle, HELD, at)
         drag.release(places[0][1])
-        assert not canvas.camera_hand.dragging
+        assert not canvas.camera_drag.dragging
         assert canvas.panning
         QTest.mouseRelease(canvas.viewport(), middle, HELD, at)
         assert not canvas.panning
@@ -356,7 +356,7 @@ class TestDragging:
     ) -> None:
         drag.carry(*places[0])
         drag.move(places[0][0])
-        assert not window.canvas.camera_hand.dragging
+        assert not window.canvas.camera_drag.dragging
         (peg,) = camera_pegs(window)
         assert peg.px == pytest.approx(drag.exactly(places[0][1]))
 
@@ -445,7 +445,7 @@ class TestWhatComesOfIt:
         window.document.walk.go_to(2)
         all_done(qtbot)
         assert window.document.corrections.here is None
-        assert not window.canvas.camera_hand.item.overlay.marks
+        assert not window.canvas.camera_drag.item.overlay.marks
         window.document.walk.go_to(1)
         all_done(qtbot)
         assert len(camera_pegs(window)) == 1

@@ -8,8 +8,8 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.gui.canvas.items import paint_overlay
 from procc_annotator.gui.canvas.overlay_item import changed_areas
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay
 from procc_annotator.interaction.overlay_primitives import (
     NO_POINTS,
     CursorSigns,

@@ -135,20 +135,20 @@ def test_it_goes_by_the_key_and_by_a_click_elsewhere(window: MainWindow) -> None
     assert window.frames.filter.hasFocus()
 
 
-def test_undo_and_redo_say_which_step(window: MainWindow, hand: Hand) -> None:
+def test_undo_and_redo_say_which_step(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
     assert window.actions_["undo"].text() == "Undo"
     hand.draw("Middle line", (300, 100), (300, 200))
+    qtbot.waitUntil(lambda: window.actions_["undo"].text().startswith("Undo: "))
     undo = window.actions_["undo"].text()
-    assert undo.startswith("Undo: ")
     assert len(undo) > len("Undo: ")
     hand.key(Qt.Key.Key_Z, CTRL)
-    assert window.actions_["undo"].text() == "Undo"
+    qtbot.waitUntil(lambda: window.actions_["undo"].text() == "Undo")
     assert window.actions_["redo"].text() == undo.replace("Undo", "Redo")
     _type(window, "undo")
     assert "Undo" in _titles(window)
     QTest.keyClick(window.palette_.search, Qt.Key.Key_Escape)
     hand.key(Qt.Key.Key_D)  # another frame has steps of its own
-    assert window.actions_["redo"].text() == "Redo"
+    qtbot.waitUntil(lambda: window.actions_["redo"].text() == "Redo")
 
 
 def test_what_is_not_there_is_said(window: MainWindow) -> None:

@@ -290,7 +290,7 @@ class TestSplit:
     @pytest.fixture(autouse=True)
     def split(self, audited: MainWindow, monkeypatch: pytest.MonkeyPatch) -> None:
         # Texts give way to each other within what can be seen of their side.
-        nothing = "procc_annotator.gui.canvas.items.paint_plates"
+        nothing = "procc_annotator.gui.canvas.overlay_painter.paint_plates"
         monkeypatch.setattr(nothing, lambda *_, **__: None)
         audited.document.camera_sources.compare_with(named(audited, "bad"))
         for source in audited.document.state.sources:
@@ -596,7 +596,7 @@ class TestDisagreement:
                 painted.append(str(given[-1]))
                 super().drawText(*given)
 
-        monkeypatch.setattr("procc_annotator.gui.canvas.metre_map_legend.QPainter", Painter)
+        monkeypatch.setattr("procc_annotator.gui.canvas.metre_maps.QPainter", Painter)
         for source in audited.document.state.sources:
             audited.document.camera_sources.rename_source(
                 source, f"cameras of {source.name} with a long name"

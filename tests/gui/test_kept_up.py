@@ -133,7 +133,7 @@ def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(
     sheet = window.commands._sheet
 
     def elements() -> list[str]:
-        return [row.text for row in sheet.columns.sections[-1].rows]
+        return [row.text for row in sheet.table.shown()]
 
     assert "Halfway line" in " ".join(elements())
     window.document.terms.set_field(load_field("basketball_fiba"))

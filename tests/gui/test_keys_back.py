@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
-from procc_annotator.gui.canvas.held_keys import typed_into
+from procc_annotator.gui.canvas.canvas_keys import typed_into
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import Hand
 

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.canvas import label_plates
-from procc_annotator.gui.canvas.items import paint_overlay
 from procc_annotator.gui.canvas.label_plates import place_label
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.interaction.overlay_primitives import Labels, Overlay
 from tests.gui.conftest import Hand, all_done, settle

@@ -194,8 +194,8 @@ def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtb
     qtbot.waitUntil(lambda: not panel.triangulate.isEnabled())
     assert "was surveyed" in panel.triangulate.toolTip()
     written = path.read_bytes()
-    seen.document.landmarks.triangulate("Clock")
-    assert not seen.document.landmarks.working
+    seen.document.landmarks.triangulation.start("Clock")
+    assert not seen.document.landmarks.triangulation.working
     assert "Clock was surveyed" in seen.message_bar.label.text()
     assert path.read_bytes() == written
 
@@ -206,11 +206,11 @@ def test_a_place_surveyed_while_it_is_triangulated_stays(
     name_landmark(seen, "Clock")
     qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
     press(seen.landmarks.triangulate)
-    assert seen.document.landmarks.working == "Clock"
+    assert seen.document.landmarks.triangulation.working == "Clock"
     entry = {"name": "Clock", "position": [14.5, -60.0, -11.0]}
     # Whole at once, as programs save: the window may read it at any moment.
     write_atomic(match / "landmarks.json", json.dumps({"landmarks": [entry]}).encode())
-    qtbot.waitUntil(lambda: not seen.document.landmarks.working, timeout=20_000)
+    qtbot.waitUntil(lambda: not seen.document.landmarks.triangulation.working, timeout=20_000)
     assert "Clock was surveyed" in seen.message_bar.label.text()
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
     qtbot.waitUntil(lambda: rows(seen)[0][1] == "14.50, -60.00, -11.00")
@@ -226,7 +226,7 @@ def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(
     path = match / "landmarks.json"
     if by_hand:
         press(seen.landmarks.remove)
-        assert not seen.document.landmarks.working
+        assert not seen.document.landmarks.triangulation.working
     else:
         write_atomic(path, b'{"landmarks": []}')
     let_work_end(qtbot)

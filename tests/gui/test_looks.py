@@ -9,14 +9,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.canvas.looks import LookControls
+from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.theme import palette
 from procc_annotator.image.pixels import DisplayAdjustment
 
 
 @pytest.fixture
-def controls(qtbot: QtBot) -> LookControls:
-    controls = LookControls()
+def controls(qtbot: QtBot) -> AdjustmentControls:
+    controls = AdjustmentControls()
     qtbot.addWidget(controls)
     controls.resize(230, controls.sizeHint().height())
     controls.show()
@@ -24,20 +24,20 @@ def controls(qtbot: QtBot) -> LookControls:
 
 
 @pytest.fixture
-def announced(controls: LookControls) -> list[DisplayAdjustment]:
+def announced(controls: AdjustmentControls) -> list[DisplayAdjustment]:
     looks: list[DisplayAdjustment] = []
     controls.lookChanged.connect(looks.append)
     return looks
 
 
-def _number(controls: LookControls, name: str) -> str:
+def _number(controls: AdjustmentControls, name: str) -> str:
     label = controls.findChild(QLabel, f"look_{name}_number")
     assert label is not None
     return label.text()
 
 
 def test_sliders_and_box_make_a_look(
-    controls: LookControls, announced: list[DisplayAdjustment]
+    controls: AdjustmentControls, announced: list[DisplayAdjustment]
 ) -> None:
     controls.sliders["brightness"].setValue(25)
     controls.sliders["contrast"].setValue(-40)
@@ -54,7 +54,7 @@ def test_sliders_and_box_make_a_look(
 
 
 def test_every_end_of_the_sliders_is_a_look(
-    controls: LookControls, announced: list[DisplayAdjustment]
+    controls: AdjustmentControls, announced: list[DisplayAdjustment]
 ) -> None:
     for slider in controls.sliders.values():
         for value in (slider.minimum(), slider.maximum()):
@@ -63,14 +63,16 @@ def test_every_end_of_the_sliders_is_a_look(
     assert announced[4].gamma == pytest.approx(0.2)
 
 
-def test_keys_move_a_slider(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
+def test_keys_move_a_slider(
+    controls: AdjustmentControls, announced: list[DisplayAdjustment]
+) -> None:
     QTest.keyClick(controls.sliders["brightness"], Qt.Key.Key_Right)
     QTest.keyClick(controls.sliders["brightness"], Qt.Key.Key_PageUp)
     assert [look.brightness for look in announced] == pytest.approx([0.01, 0.11])
 
 
 def test_a_look_chosen_elsewhere_is_shown_and_not_announced(
-    controls: LookControls, announced: list[DisplayAdjustment]
+    controls: AdjustmentControls, announced: list[DisplayAdjustment]
 ) -> None:
     look = DisplayAdjustment(brightness=-0.333, contrast=0.5, gamma=2.2, enhance=True)
     controls.set_look(look)
@@ -83,7 +85,7 @@ def test_a_look_chosen_elsewhere_is_shown_and_not_announced(
     assert announced == [DisplayAdjustment(brightness=-0.333, gamma=2.2, enhance=True)]
 
 
-def test_reset(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
+def test_reset(controls: AdjustmentControls, announced: list[DisplayAdjustment]) -> None:
     assert not controls.reset_button.isEnabled()
     controls.set_look(DisplayAdjustment(gamma=3.0, enhance=True))
     QTest.mouseClick(controls.reset_button, Qt.MouseButton.LeftButton)
@@ -93,7 +95,7 @@ def test_reset(controls: LookControls, announced: list[DisplayAdjustment]) -> No
     assert [s.value() for s in controls.sliders.values()] == [0, 0, 0]
 
 
-def test_it_fits_into_a_narrow_dock(controls: LookControls) -> None:
+def test_it_fits_into_a_narrow_dock(controls: AdjustmentControls) -> None:
     controls.set_look(DisplayAdjustment(brightness=-1.0, contrast=-1.0, gamma=5.0))
     assert controls.minimumSizeHint().width() <= 230
     hint = controls.findChild(QLabel, "lookHint")
@@ -102,7 +104,7 @@ def test_it_fits_into_a_narrow_dock(controls: LookControls) -> None:
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_it_follows_the_theme(controls: LookControls, dark: bool) -> None:
+def test_it_follows_the_theme(controls: AdjustmentControls, dark: bool) -> None:
     controls.setPalette(palette(dark))
     QApplication.processEvents()
     corner = QColor(controls.grab().toImage().pixel(2, 2))

@@ -183,12 +183,13 @@ class TestCameras:
         assert window.document.judge.score.tp == 1
 
     def test_the_protocol_and_size_stand_beside_the_score(
-        self, window: MainWindow, cameras: Path
+        self, window: MainWindow, cameras: Path, qtbot: QtBot
     ) -> None:
         window.document.camera_sources.load_cameras(cameras)
-        assert window.top_bar.camera_bar.terms.text() == "soccernet, 960x540"
+        terms = window.top_bar.camera_bar.terms
+        qtbot.waitUntil(lambda: terms.text() == "soccernet, 960x540")
         window.actions_["protocol_procc"].trigger()
-        assert window.top_bar.camera_bar.terms.text() == "procc, 960x540"
+        qtbot.waitUntil(lambda: terms.text() == "procc, 960x540")
 
     def test_the_cursor_is_shown_in_metres_on_the_field(
         self, window: MainWindow, hand: Hand, cameras: Path
@@ -216,10 +217,12 @@ class TestCameras:
         hand.draw(MIDDLE, *middle_line_points(window))
         qtbot.waitUntil(lambda: window.document.auditing.frame_scores.get("frame_1", 0) > 0)
 
-    def test_a_frame_without_camera_says_so(self, window: MainWindow, cameras: Path) -> None:
+    def test_a_frame_without_camera_says_so(
+        self, window: MainWindow, cameras: Path, qtbot: QtBot
+    ) -> None:
         window.document.camera_sources.load_cameras(cameras)
         window.document.walk.go_to(2)
-        assert "no camera" in window.top_bar.camera_bar.jac.text()
+        qtbot.waitUntil(lambda: "no camera" in window.top_bar.camera_bar.jac.text())
         assert window.document.judge.score is None
 
     def test_a_file_that_is_no_camera_is_told_in_a_bar(

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.canvas.split_view import DividerGrip
+from procc_annotator.gui.canvas.viewport_overlays import DividerGrip
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.workspaces import WORKSPACES
 

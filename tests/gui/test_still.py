@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.gui.canvas.still import StillOverlay
+from procc_annotator.gui.canvas.overlay_item import StillOverlay
 from procc_annotator.interaction.overlay_primitives import Labels, Overlay, Strokes
 
 ROOM = QSize(400, 120)
@@ -22,7 +22,7 @@ def painted(still: StillOverlay, overlay: Overlay, ratio: float, scale: float = 
     image.fill(QColor("#3f7f3f"))
     painter = QPainter(image)
     area = QRectF(0, 0, ROOM.width(), ROOM.height())
-    still.paint(painter, overlay, scale=scale, offset=(3.0, 2.0), clip=area, room=ROOM)
+    still.paint(painter, (overlay,), scale=scale, offset=(3.0, 2.0), clip=area, room=ROOM)
     painter.end()
     return np.frombuffer(image.constBits(), np.uint8).astype(int)
 
@@ -56,8 +56,8 @@ def test_texts_stay_in_what_is_seen(qapp: QApplication) -> None:
         painter = QPainter(image)
         area = QRectF(0, 0, ROOM.width(), ROOM.height())
         still.paint(
-            painter, Overlay((), (), (label,)), scale=2.0, offset=(0.0, 0.0), clip=area, room=ROOM,
-            seen=seen,
+            painter, (Overlay((), (), (label,)),), scale=2.0, offset=(0.0, 0.0),
+            clip=area, room=ROOM, seen=seen,
         )  # fmt: skip
         painter.end()
         pixels = np.frombuffer(image.constBits(), np.uint8).reshape(ROOM.height(), -1, 4)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay
 from procc_annotator.gui.canvas.picture_item import image_of
 from procc_annotator.image.pixels import PixelArray, downscaled
 from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent

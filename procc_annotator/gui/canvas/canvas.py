@@ -15,20 +15,18 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
-from procc_annotator.gui.canvas.blind_frame import BlindFrame
-from procc_annotator.gui.canvas.camera_hand import CameraHand
+from procc_annotator.gui.canvas.camera_drag import CameraDrag
+from procc_annotator.gui.canvas.canvas_keys import HeldKey, HeldKeys, KeyPointing, modifiers_of
 from procc_annotator.gui.canvas.comparison import OtherSources
-from procc_annotator.gui.canvas.corner_legend import CornerLegend
 from procc_annotator.gui.canvas.drawing import OverlayDrawing
 from procc_annotator.gui.canvas.editor import Editor
-from procc_annotator.gui.canvas.found_plate import FoundPlate
-from procc_annotator.gui.canvas.held_keys import HeldKey, HeldKeys
-from procc_annotator.gui.canvas.key_pointing import KeyPointing, modifiers_of
+from procc_annotator.gui.canvas.legend import CornerLegend
 from procc_annotator.gui.canvas.loupe import Loupe
 from procc_annotator.gui.canvas.metre_maps import MetreMaps
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
-from procc_annotator.gui.canvas.shown_picture import ShownPicture
+from procc_annotator.gui.canvas.picture_item import ShownPicture
 from procc_annotator.gui.canvas.view import PictureView
+from procc_annotator.gui.canvas.viewport_overlays import BlindFrame, FoundPlate
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
@@ -70,7 +68,7 @@ class Canvas(PictureView):
         self.found_plate = FoundPlate(document, self)
         self.blind_frame = BlindFrame(document, self)
         self.legend = CornerLegend(document, self, self.comparison)
-        self.camera_hand = CameraHand(document, self, self.editor)
+        self.camera_drag = CameraDrag(document, self, self.editor)
         self.drawing = OverlayDrawing(
             document,
             self,
@@ -79,7 +77,7 @@ class Canvas(PictureView):
             self.comparison,
             self.maps,
             self.legend,
-            self.camera_hand,
+            self.camera_drag,
             lambda: self.cursor_px,
         )
         self.keep_zoom = False
@@ -109,7 +107,7 @@ class Canvas(PictureView):
         self.keys.forgotten.connect(self._forget_cursor)
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
-        self.camera_hand.moved.connect(self._follow_cursor)
+        self.camera_drag.moved.connect(self._follow_cursor)
         document.store.watch(select.dataset, self.keys.forget)
         document.store.watch(select.frame, self._show_frame)
         document.store.watch(select.picture, self._show_whole)
@@ -127,7 +125,7 @@ class Canvas(PictureView):
         self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
         self.comparison.set_area(self.sceneRect())
-        self.camera_hand.item.set_area(self.sceneRect())
+        self.camera_drag.item.set_area(self.sceneRect())
         self.keys.keep_within()
         self.drawing.refresh_everywhere()
 
@@ -168,7 +166,7 @@ class Canvas(PictureView):
 
     def _say_hint(self) -> None:
         self._hint_soon.stop()
-        hint = self.camera_hand.hint or (_pan_hint() if self.pan_tool else self.editor.hint())
+        hint = self.camera_drag.hint or (_pan_hint() if self.pan_tool else self.editor.hint())
         if hint != self._hint:
             self._hint = hint
             self.setAccessibleDescription(hint)
@@ -183,7 +181,7 @@ class Canvas(PictureView):
 
     @property
     def _loupe_wanted(self) -> bool:
-        held = self.editor.dragging or self.camera_hand.dragging
+        held = self.editor.dragging or self.camera_drag.dragging
         return self.loupe_always or self._loupe_by_key or held
 
     def _place_loupe(self) -> None:
@@ -194,7 +192,7 @@ class Canvas(PictureView):
             return
         at = self.to_view(*px)
         item = self.comparison.item_at(at.x())
-        self.loupe.show_at(at, px, pixels, *item.layers, *self.camera_hand.item.layers)
+        self.loupe.show_at(at, px, pixels, *item.layers, *self.camera_drag.item.layers)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale
@@ -248,7 +246,7 @@ class Canvas(PictureView):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
-        if self.editor.holding or self.camera_hand.dragging or self.panning:
+        if self.editor.holding or self.camera_drag.dragging or self.panning:
             return  # a menu would take the release that ends it
         if event.reason() == QContextMenuEvent.Reason.Mouse:
             self.editor.point_at(self.to_picture(QPointF(event.pos())))

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QRect, QRectF
 from PySide6.QtWidgets import QGraphicsScene, QWidget
 
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
-from procc_annotator.gui.canvas.split_view import NamePlate, SplitView
+from procc_annotator.gui.canvas.viewport_overlays import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.overlay_lines import build_wireframes

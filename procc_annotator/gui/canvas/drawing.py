@@ -12,10 +12,10 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.assist.ghost_points import GhostPoints
 from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import Origin, PointKey
-from procc_annotator.gui.canvas.camera_hand import CameraHand
+from procc_annotator.gui.canvas.camera_drag import CameraDrag
 from procc_annotator.gui.canvas.comparison import Judged, OtherSources
-from procc_annotator.gui.canvas.corner_legend import CornerLegend
 from procc_annotator.gui.canvas.editor import Editor
+from procc_annotator.gui.canvas.legend import CornerLegend
 from procc_annotator.gui.canvas.metre_maps import MetreMaps
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
@@ -97,7 +97,7 @@ class OverlayDrawing(QObject):
         comparison: OtherSources,
         maps: MetreMaps,
         legend: CornerLegend,
-        hand: CameraHand,
+        hand: CameraDrag,
         cursor: Callable[[], Position | None],
     ) -> None:
         """
@@ -128,7 +128,7 @@ class OverlayDrawing(QObject):
         document.store.watch(lambda s: s.preview, self._follow_preview, When.GESTURE)
         document.store.watch(
             lambda s: (select.score(s), s.selection, s.hovered_class, select.mode(s)),
-            self._follow_state,
+            self.refresh,
         )
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
@@ -177,7 +177,11 @@ class OverlayDrawing(QObject):
     # --- drawing ------------------------------------------------------------------------------
 
     def refresh(self) -> None:
-        """Rebuild all overlays after the watches were notified; the hint may change as well."""
+        """Rebuild all overlays after the watches were notified; the hint may change as well.
+
+        The cursor did not move: the position of the next click is searched after the paint, which
+        would have to wait for it.
+        """
         self._due = True
         self._document.store.when_notified(self._refresh_if_due)
 
@@ -198,13 +202,6 @@ class OverlayDrawing(QObject):
     def _refresh_if_due(self) -> None:
         if self._due:
             self._refresh()
-
-    def _follow_state(self) -> None:
-        """Draw another state. The cursor did not move: the position of the next click is searched
-        after the paint, which would have to wait for it."""
-        self._refresh(looking=False)
-        if self._document.state.mode == "draw" and self._editor.follows_cursor:
-            self._gesture_soon.start()
 
     def _follow_preview(self) -> None:
         """Draw the dragged elements; the verdict on them follows after the paint."""
@@ -228,7 +225,7 @@ class OverlayDrawing(QObject):
         if self.colour_by in _BY_ORIGIN:
             self.refresh()
 
-    def _refresh(self, *, looking: bool = True) -> None:
+    def _refresh(self) -> None:
         everywhere, self._everywhere, self._due = self._everywhere, False, False
         self._soon.stop()
         scale, comparison, document = self._view.view_scale, self._comparison, self._document
@@ -243,9 +240,11 @@ class OverlayDrawing(QObject):
             right = self._content(comparison.judged_right) if comparison.split.shown else None
         self._left.show(left, strips, scale, everywhere=everywhere)
         self._right.show(right, strips, scale, everywhere=everywhere)
-        self._show_gesture(looking=looking)
+        self._show_gesture(looking=False)
         self._draw_ghosts()
         self._hand.refresh(hidden=self.hidden)
+        if document.state.mode == "draw" and self._editor.follows_cursor:
+            self._gesture_soon.start()
         self.drawn.emit()
         self.told.emit()
 

@@ -1,112 +1,160 @@
-"""The band below an overlay picture that says what its colours, dashes and marks mean."""
+"""The legend in the corner of the picture; it hides while the cursor is near."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
-import numpy as np
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Slot
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.canvas.items import paint_overlay
-from procc_annotator.interaction.legend import LegendEntry
-from procc_annotator.interaction.overlay_primitives import Overlay, PointMarks, Strokes
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.gui.canvas.comparison import OtherSources
+from procc_annotator.gui.canvas.overlay_painter import paint_samples
+from procc_annotator.gui.canvas.view import PictureView
+from procc_annotator.gui.canvas.viewport_overlays import ViewportOverlay
+from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
+from procc_annotator.interaction.overlay import ColourBy
 
-_BACKGROUND, _TEXT = QColor("#202020"), QColor("#ffffff")
-# In points.
-_FONT = 13.0
-_SAMPLE = 36.0
-_GAP = 8.0  # between a sample and its text
-_MARGIN = 10.0
-_BETWEEN = 22.0  # between entries of a line
-_LINE = 21.0
-# Other fonts than the one measured here may be wider: a browser has its own.
-_SLACK = 1.08
-
+_EDGE = 8
+_SAMPLE, _GAP = 30.0, 8.0
+_PLATE = QColor(20, 20, 20, 200)
+_TEXT = QColor("#f4f4f4")
+_AROUND = 24  # screen px: so near the hand needs what lies below
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
-class LegendBand:
-    """A heading and entries, wrapped to a width.
+class CornerLegend(ViewportOverlay):
+    """Explains what is over the picture at its lower right corner, and nothing else."""
 
-    Args:
-        heading: one line or more above the entries; may be empty.
-        entries: what to explain.
-        width: px of the picture.
-        unit: px per point.
+    def __init__(self, document: Document, view: PictureView, comparison: OtherSources) -> None:
+        super().__init__(view.viewport(), "cornerLegend")
+        self._document, self._viewport, self._comparison = document, view.viewport(), comparison
+        self.entries: tuple[LegendEntry, ...] = ()
+        self._wanted, self._bare = True, False
+        self._others: tuple[tuple[str, str], ...] = ()
+        self._by: ColourBy = "criterion"
+        self._hand: QPointF | None = None
+        self._soon = after_paint(self, self._look)
+        view.resized.connect(self._soon.start)
+        for beneath in self._beneath():
+            beneath.installEventFilter(self)
+        document.store.watch(
+            lambda s: (select.score(s), select.cameras(s), s.blind), self._soon.start
+        )
+        for signal in (
+            document.source_frames.changed,
+            document.ghosts.changed,
+            document.second.changed,
+            document.review.originsChanged,
+        ):
+            signal.connect(self._soon.start)
 
-    Attributes:
-        height: px.
-    """
+    def set_wanted(self, wanted: bool) -> None:
+        """Whether a person wants to see it."""
+        self._wanted = wanted
+        self._look()
 
-    def __init__(
-        self, heading: str, entries: Sequence[LegendEntry], width: int, unit: float
-    ) -> None:
-        self._unit = unit
-        self._width = width
-        self._font = QFont()
-        self._font.setPixelSize(max(1, round(_FONT * unit)))
-        self._metrics = QFontMetricsF(self._font)
-        self._heading = self._wrapped(heading)
-        self._placed: list[tuple[LegendEntry, float, int]] = []  # entry, x in px, line
-        lines = self._place(entries)
-        self.height = math.ceil((2 * _MARGIN + _LINE * lines) * unit)
+    def show_for(self, colour_by: ColourBy, *, bare: bool) -> None:
+        """What colours say, and whether nothing is drawn over the picture."""
+        shown = colour_by, bare, self._comparison.names_of_others()
+        if shown != (self._by, self._bare, self._others):
+            self._by, self._bare, self._others = shown
+            self._soon.start()
 
-    def _wrapped(self, text: str) -> list[str]:
-        room = self._width - 2 * _MARGIN * self._unit
-        lines: list[str] = []
-        for word in text.split():
-            longer = f"{lines[-1]} {word}" if lines else word
-            if lines and self._metrics.horizontalAdvance(longer) * _SLACK <= room:
-                lines[-1] = longer
-            else:
-                lines.append(word)
-        return lines
+    @Slot(object)
+    def follow(self, cursor: QPointF | None) -> None:
+        """The hand is there now, viewport px: what is under it is to be seen."""
+        self._hand = cursor
+        if self.entries:
+            self._show()
 
-    def _place(self, entries: Sequence[LegendEntry]) -> int:
-        """Flow the entries below the heading; returns the number of lines."""
-        line, x = len(self._heading), _MARGIN * self._unit
-        for entry in entries:
-            text = self._metrics.horizontalAdvance(entry.text) * _SLACK
-            taken = (_SAMPLE + _GAP) * self._unit + text
-            beyond = x + taken > self._width - _MARGIN * self._unit
-            if beyond and x > _MARGIN * self._unit:
-                line, x = line + 1, _MARGIN * self._unit
-            self._placed.append((entry, x, line))
-            x += taken + _BETWEEN * self._unit
-        return line + 1 if self._placed else line
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide):
+            self._soon.start()
+        return False
 
-    def paint(self, painter: QPainter, top: float) -> None:
-        """Paint the band with its upper edge at ``top``, device px."""
-        unit = self._unit
-        area = QRectF(0, top, self._width, self.height)
-        painter.fillRect(area, _BACKGROUND)
-        middles = [
-            top + (_MARGIN + _LINE * (row + 0.5)) * unit
-            for row in range(1 + max([line for *_, line in self._placed], default=0))
-        ]
-        strokes, marks = [], []
-        for entry, x, row in self._placed:
-            y = middles[row] if row < len(middles) else top
-            sample = np.array([[x, y, x + _SAMPLE * unit, y]])
-            strokes += [Strokes(sample, s.colour, s.width, s.dash) for s in entry.lines]
-            if entry.mark is not None:
-                centre = np.array([[x + _SAMPLE * unit / 2, y]])
-                marks.append(
-                    PointMarks(centre, entry.mark.shape, entry.mark.colour, entry.mark.size)
-                )
-        overlay = Overlay(tuple(strokes), tuple(marks), ())
-        # The painter of overlays puts whole numbers on pixel centres; here they are edges.
-        paint_overlay(painter, overlay, scale=1.0, offset=(-0.5, -0.5), unit=unit, clip=area)
-        painter.setFont(self._font)
-        painter.setPen(_TEXT)
-        half = _LINE * unit / 2
-        for row, text in enumerate(self._heading):
-            y = top + (_MARGIN + _LINE * row) * unit
-            room = QRectF(_MARGIN * unit, y, self._width, _LINE * unit)
-            painter.drawText(room, _LEFT, text)
-        for entry, x, row in self._placed:
-            start = x + (_SAMPLE + _GAP) * unit
-            room = QRectF(start, middles[row] - half, self._width, 2 * half)
-            painter.drawText(room, _LEFT, entry.text)
+    # --- inside ---
+
+    def _look(self) -> None:
+        shown = self._wanted and not self._bare and self._document.state.frame is not None
+        self.entries = corner_legend(self._there()) if shown else ()
+        self.setAccessibleName("; ".join(entry.text for entry in self.entries))
+        self._stand()
+        self._show()
+        self.update()
+
+    def _show(self) -> None:
+        near = self._hand is not None and self.geometry().adjusted(
+            -_AROUND, -_AROUND, _AROUND, _AROUND
+        ).contains(self._hand.toPoint())
+        self.setVisible(bool(self.entries) and not near)
+
+    def _there(self) -> OnPicture:
+        document = self._document
+        annotation, score = document.state.annotation, document.judge.score
+        painted, foresight = document.ghosts.painted, document.foresight
+        unsure = foresight.stands_in and bool(foresight.doubt)
+        origins = self._origins()
+        return OnPicture(
+            annotated=bool(annotation.annotated),
+            statuses=None if score is None else {e.status for e in score.elements},
+            colour_by=self._by,
+            origins=origins[0],
+            authors=origins[1],
+            ghosts=("unsure" if unsure else "sure") if painted else "",
+            unconfirmed=bool(annotation.unconfirmed),
+            second=document.second.annotation is not None and document.state.projection_visible,
+            others=self._comparison.names_of_others(),
+        )
+
+    def _origins(self) -> tuple[frozenset[str], tuple[str, ...]]:
+        """Return how points came to be, and whose they are."""
+        document = self._document
+        if self._by not in ("origin", "annotator") or document.state.frame is None:
+            return frozenset(), ()
+        known = document.review.origins(document.state.frame.name) or {}
+        keys = {(p.u, p.v) for line in document.state.annotation.polylines for p in line.points}
+        kinds = {known[key].kind if key in known else OriginKind.FILE for key in keys}
+        authors = tuple(sorted({origin.author for origin in known.values()}))
+        return frozenset(kind.value for kind in kinds), authors
+
+    def _stand(self) -> None:
+        """At the lower right, above what else stands there."""
+        metrics = QFontMetricsF(self.font())
+        texts = [metrics.horizontalAdvance(entry.text) for entry in self.entries]
+        line = math.ceil(metrics.height()) + 2
+        width = math.ceil(max(texts, default=0) + _SAMPLE + _GAP + 2 * _EDGE)
+        height = line * len(self.entries) + 2 * _EDGE - 4
+        room = self._viewport.size()
+        width = min(width, room.width() - 2 * _EDGE)
+        corner = QPoint(room.width() - width - _EDGE, room.height() - height - _EDGE)
+        place = QRect(corner.x(), corner.y(), width, height)
+        for other in self._beneath():
+            if not other.isHidden() and other.geometry().intersects(place):
+                place.moveBottom(other.geometry().top() - _EDGE // 2)
+        self.put(place)
+
+    def _beneath(self) -> list[QWidget]:
+        """Return what stands at the lower edge, too, and stays there."""
+        named = (self._viewport.findChild(QWidget, name) for name in ("blindBadge", "foundPlate"))
+        return [other for other in named if other is not None]
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_PLATE)
+            painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+            line = (self.height() - 2 * _EDGE + 4) / max(1, len(self.entries))
+            middles = [_EDGE - 2 + line * (i + 0.5) for i in range(len(self.entries))]
+            places = [(_EDGE, y) for y in middles]
+            paint_samples(painter, self.entries, places, length=_SAMPLE)
+            painter.setPen(_TEXT)
+            left = _EDGE + _SAMPLE + _GAP
+            for entry, y in zip(self.entries, middles, strict=True):
+                room = QRectF(left, y - line / 2, self.width() - left - _EDGE / 2, line)
+                painter.drawText(room, _LEFT, entry.text)

@@ -7,12 +7,13 @@ import math
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QMoveEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay
 from procc_annotator.gui.canvas.picture_item import image_of
+from procc_annotator.gui.canvas.viewport_overlays import ViewportOverlay
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.overlay_primitives import Overlay
@@ -26,27 +27,22 @@ _CROSS_RIM = QColor(16, 16, 16, 150)
 _OUTSIDE = np.array([24, 24, 24, 255], np.uint8).view(np.uint32)[0]  # b, g, r, a beyond the picture
 
 
-class Loupe(QWidget):
+class Loupe(ViewportOverlay):
     """A square of the picture around the cursor, with what is drawn over it and its position.
 
-    It is a child of the viewport, lets the mouse through, and keeps clear of the cursor.
+    It keeps clear of the cursor.
     """
 
     FACTOR = 8  # points per picture px
 
     def __init__(self, viewport: QWidget) -> None:
-        super().__init__(viewport)
-        self.setObjectName("loupe")
-        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         # Not opaque, as far as Qt knows: an opaque child that moves is painted twice a move.
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setFixedSize(_SIDE, _SIDE + _LINE)
+        super().__init__(viewport, "loupe")
         self._viewport = viewport
-        self._place = QPoint()
+        self.resize(_SIDE, _SIDE + _LINE)
         self._centre = (0.0, 0.0)
         self._pixels: PixelArray | None = None
         self._layers: tuple[Overlay, ...] = ()
-        self.hide()
 
     def show_at(
         self,
@@ -70,18 +66,11 @@ class Loupe(QWidget):
             self.hide()
             return
         self._centre, self._pixels, self._layers = picture_px, pixels, layers
-        self._place = place
-        self.move(place)
+        self.put(QRect(place, self.size()))
         if not self.isVisible():
             self.show()
             self.raise_()
         self.update()
-
-    def moveEvent(self, event: QMoveEvent) -> None:
-        super().moveEvent(event)
-        # A view that scrolls takes the children of its viewport along.
-        if self.pos() != self._place:
-            self.move(self._place)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from base64 import b64encode
+from collections.abc import Sequence
 
 import cv2
 import numpy as np
-from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QRectF, QSize
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import SaveError
-from procc_annotator.gui.canvas.caption import paint_caption
-from procc_annotator.gui.canvas.items import paint_overlay
-from procc_annotator.gui.canvas.legend import LegendBand
+from procc_annotator.gui.canvas.overlay_painter import paint_overlay, paint_samples
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interaction.legend import legend_of
+from procc_annotator.interaction.legend import LegendEntry, legend_of
 from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.report.overlay_scene import (
     GROUND_BGRA,
@@ -28,6 +28,117 @@ from procc_annotator.report.overlay_scene import (
     pixels_of,
 )
 from procc_annotator.translation import in_english
+
+
+def paint_caption(painter: QPainter, text: str, area: QRectF, unit: float, font_px: int) -> None:
+    """Paint a line of words on a dark band; nothing for none.
+
+    Args:
+        area: of the picture, px of the painter.
+        unit: px of a point.
+        font_px: height of the letters.
+    """
+    if not text:
+        return
+    font = QFont()
+    font.setPixelSize(font_px)
+    metrics = QFontMetricsF(font)
+    band = QRectF(0, 0, metrics.horizontalAdvance(text) + 16 * unit, metrics.height() + 8 * unit)
+    band.moveBottomLeft(area.bottomLeft())
+    painter.fillRect(band, QColor(32, 32, 32, 200))
+    painter.setFont(font)
+    painter.setPen(QColor("white"))
+    painter.drawText(band, Qt.AlignmentFlag.AlignCenter, text)
+
+
+_BACKGROUND, _TEXT = QColor("#202020"), QColor("#ffffff")
+# In points.
+_FONT = 13.0
+_SAMPLE = 36.0
+_GAP = 8.0  # between a sample and its text
+_MARGIN = 10.0
+_BETWEEN = 22.0  # between entries of a line
+_LINE = 21.0
+# Other fonts than the one measured here may be wider: a browser has its own.
+_SLACK = 1.08
+
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+
+
+class LegendBand:
+    """A heading and entries, wrapped to a width.
+
+    Args:
+        heading: one line or more above the entries; may be empty.
+        entries: what to explain.
+        width: px of the picture.
+        unit: px per point.
+
+    Attributes:
+        height: px.
+    """
+
+    def __init__(
+        self, heading: str, entries: Sequence[LegendEntry], width: int, unit: float
+    ) -> None:
+        self._unit = unit
+        self._width = width
+        self._font = QFont()
+        self._font.setPixelSize(max(1, round(_FONT * unit)))
+        self._metrics = QFontMetricsF(self._font)
+        self._heading = self._wrapped(heading)
+        self._placed: list[tuple[LegendEntry, float, int]] = []  # entry, x in px, line
+        lines = self._place(entries)
+        self.height = math.ceil((2 * _MARGIN + _LINE * lines) * unit)
+
+    def _wrapped(self, text: str) -> list[str]:
+        room = self._width - 2 * _MARGIN * self._unit
+        lines: list[str] = []
+        for word in text.split():
+            longer = f"{lines[-1]} {word}" if lines else word
+            if lines and self._metrics.horizontalAdvance(longer) * _SLACK <= room:
+                lines[-1] = longer
+            else:
+                lines.append(word)
+        return lines
+
+    def _place(self, entries: Sequence[LegendEntry]) -> int:
+        """Flow the entries below the heading; returns the number of lines."""
+        line, x = len(self._heading), _MARGIN * self._unit
+        for entry in entries:
+            text = self._metrics.horizontalAdvance(entry.text) * _SLACK
+            taken = (_SAMPLE + _GAP) * self._unit + text
+            beyond = x + taken > self._width - _MARGIN * self._unit
+            if beyond and x > _MARGIN * self._unit:
+                line, x = line + 1, _MARGIN * self._unit
+            self._placed.append((entry, x, line))
+            x += taken + _BETWEEN * self._unit
+        return line + 1 if self._placed else line
+
+    def paint(self, painter: QPainter, top: float) -> None:
+        """Paint the band with its upper edge at ``top``, device px."""
+        unit = self._unit
+        area = QRectF(0, top, self._width, self.height)
+        painter.fillRect(area, _BACKGROUND)
+        middles = [
+            top + (_MARGIN + _LINE * (row + 0.5)) * unit
+            for row in range(1 + max([line for *_, line in self._placed], default=0))
+        ]
+        places = [(x, middles[row] if row < len(middles) else top) for _, x, row in self._placed]
+        entries = [entry for entry, *_ in self._placed]
+        paint_samples(painter, entries, places, length=_SAMPLE * unit, unit=unit)
+        painter.setFont(self._font)
+        painter.setPen(_TEXT)
+        half = _LINE * unit / 2
+        for row, text in enumerate(self._heading):
+            y = top + (_MARGIN + _LINE * row) * unit
+            room = QRectF(_MARGIN * unit, y, self._width, _LINE * unit)
+            painter.drawText(room, _LEFT, text)
+        for entry, x, row in self._placed:
+            start = x + (_SAMPLE + _GAP) * unit
+            room = QRectF(start, middles[row] - half, self._width, 2 * half)
+            painter.drawText(room, _LEFT, entry.text)
+
 
 _JPEG = (cv2.IMWRITE_JPEG_QUALITY, 88)
 

@@ -200,7 +200,9 @@ class LandmarksPanel(QWidget):
         self.triangulate.setToolTip(why_not or tr(_TRIANGULATE))
         opened = self._document.state.workspace is not None and not landmarks.problem
         show_note(self.hint, why_not if opened else "")
-        self.triangulate.setText(tr("Triangulating…") if landmarks.working else tr("Triangulate"))
+        self.triangulate.setText(
+            tr("Triangulating…") if landmarks.triangulation.working else tr("Triangulate")
+        )
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position
         _show(
@@ -215,9 +217,9 @@ class LandmarksPanel(QWidget):
         if mark is None:
             return self._what_to_name()
         title, frames = mark.shown_title, landmarks.frames_with(mark.name)
-        if landmarks.working:
-            return tr("{name} is being triangulated.", name=landmarks.working.strip())
-        if kept := landmarks.why_kept(mark.name):
+        if landmarks.triangulation.working:
+            return tr("{name} is being triangulated.", name=landmarks.triangulation.working.strip())
+        if kept := landmarks.triangulation.why_kept(mark.name):
             return tr(
                 "{why}. Delete the landmark and name it again to have it triangulated.", why=kept
             )
@@ -306,7 +308,7 @@ class LandmarksPanel(QWidget):
 
     def _triangulate(self) -> None:
         if (name := self._chosen) is not None:
-            self._document.landmarks.triangulate(name)
+            self._document.landmarks.triangulation.start(name)
 
     def _remove(self) -> None:
         """Forget the chosen landmark; one that has a place only if that is meant."""

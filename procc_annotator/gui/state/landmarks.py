@@ -8,18 +8,27 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.landmarks import dataset_landmarks
+from procc_annotator.dataset.landmarks.clicks import LocatedLandmark, why_kept, with_positions
 from procc_annotator.dataset.landmarks.dataset_landmarks import (
     field_with,
     read_landmarks_in,
     unknown_frames_message,
 )
-from procc_annotator.dataset.landmarks.triangulation import clicked_frames, clicked_in
+from procc_annotator.dataset.landmarks.triangulation import (
+    DatasetPaths,
+    FoundInDataset,
+    TriangulationSettings,
+    clicked_frames,
+    clicked_in,
+    locate_in_dataset,
+)
 from procc_annotator.dataset.landmarks.view_groups import ViewGroups
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import landmarks_by_name
+from procc_annotator.field.landmarks import is_moving, landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.formats.landmark_file import (
     LANDMARKS_FILE,
@@ -28,11 +37,16 @@ from procc_annotator.formats.landmark_file import (
     save_landmarks,
 )
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
+from procc_annotator.gui.state.background import (
+    ComputedValue,
+    Inputs,
+    JobControl,
+    LatestOnlyTask,
+    Priority,
+)
 from procc_annotator.gui.state.landmark_tools import (
     LandmarkEllipses,
     LandmarkFiles,
-    LandmarkPlacing,
     entries_of,
 )
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
@@ -72,8 +86,8 @@ class Landmarks(QObject):
         self._clicked.changed.connect(self._take_scan)
         self._clicked.failed.connect(self._say_scan_failed)
         self._since: ClickedFrames = {}  # of frames that were on screen since the scan
-        self._placing = LandmarkPlacing(store, live_fit, self)
-        self._placing.changed.connect(self.changed)
+        self.triangulation = LandmarkTriangulation(store, live_fit, self)
+        self.triangulation.changed.connect(self.changed)
         self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
         self._ellipses.changed.connect(self.ellipsesChanged)
         self._damage = ""  # what the problem is, of the files alone
@@ -108,7 +122,7 @@ class Landmarks(QObject):
     def close(self) -> None:
         """Look for nothing any more."""
         self._files.watch(None)
-        self._placing.stop()
+        self.triangulation.stop()
         self._forget_clicks()
 
     @property
@@ -143,7 +157,7 @@ class Landmarks(QObject):
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""
-        self._placing.stop(name)  # or its place would bring it back
+        self.triangulation.stop(name)  # or its place would bring it back
         return self.edit(lambda: self.file.without(name))
 
     def edit(self, make: Callable[[], LandmarkFile]) -> bool:
@@ -288,24 +302,130 @@ class Landmarks(QObject):
         nothing changed."""
         return self._ellipses.value or ()
 
-    # --- triangulation ---
-
-    @property
-    def working(self) -> str:
-        """Name of the landmark that is being triangulated; empty for none."""
-        return self._placing.working
-
-    def why_kept(self, name: str) -> str:
-        """Why a landmark is not to be triangulated; empty where it may be."""
-        return self._placing.why_kept(name)
-
-    def triangulate(self, name: str) -> None:
-        """Find where a landmark is from its clicks, in the background."""
-        self._placing.start(name)
-
     @staticmethod
     def _path(workspace: Workspace) -> Path:
         return workspace.folder / LANDMARKS_FILE
+
+
+class LandmarkTriangulation(QObject):
+    """Finds the position of a landmark from its clicks, in the background.
+
+    Attributes:
+        working: name of the landmark that is being triangulated; empty for none.
+    """
+
+    changed = Signal()  # whether one is being triangulated
+
+    def __init__(self, store: Store, live_fit: LiveFit, landmarks: Landmarks) -> None:
+        super().__init__(store)
+        self._store, self._live_fit = store, live_fit
+        self._landmarks = landmarks
+        self._task = LatestOnlyTask(self, self._not_located, priority=Priority.URGENT)
+        self.working = ""
+
+    def stop(self, name: str | None = None) -> None:
+        """Triangulate no more; with a name: not that landmark."""
+        if self.working and name in (None, self.working):
+            self._task.cancel()
+            self.working = ""
+            self.changed.emit()
+
+    def why_kept(self, name: str) -> str:
+        """Why a landmark is not to be triangulated; empty where it may be."""
+        file = self._landmarks.file
+        moves = any(map(is_moving, landmarks_by_name(file.landmarks).get(name, [])))
+        why = "" if moves else why_kept(file, name)
+        return tr(why) if why else ""
+
+    def start(self, name: str) -> None:
+        """Find where a landmark is from its clicks, in the background."""
+        state, landmarks = self._store.state, self._landmarks
+        workspace = state.workspace
+        frames = landmarks.frames_with(name)
+        if workspace is None or frames is None or self.working:
+            return
+        if why_not := landmarks.problem or self.why_kept(name):
+            say(self._store, why_not, "warning")
+            return
+        read: dict[str, Callable[[], FrameAnnotation]] = {
+            frame: partial(workspace.read, workspace.index[frame]) for frame in frames
+        }
+        source = state.active
+        cameras = None if source is None else source.files
+        place = DatasetPaths(
+            workspace.folder,
+            workspace.annotations,
+            tuple(workspace.index),
+        )
+        field = state.field
+        model = self._live_fit.model if self._live_fit.model != "H" else "R"
+        search = TriangulationSettings(
+            landmarks.file, landmarks.groups, cameras, names=(name,), model=model
+        )
+
+        def work(control: JobControl) -> FoundInDataset:
+            return locate_in_dataset(read, field, place, search, control.progress_or_stop)
+
+        self.working = name
+        self._task.start(work, self._located)
+        self.changed.emit()
+
+    def _located(self, outcome: FoundInDataset) -> None:
+        name, landmarks, store = self.working, self._landmarks, self._store
+        self.working = ""
+        located = outcome.located
+        for problem in outcome.problems:
+            say(store, problem, "warning")
+        found = [one for one in located if one.found.position is not None]
+        deleted = False
+
+        def placed() -> LandmarkFile:
+            nonlocal deleted
+            # Another person may have deleted it meanwhile; a place would bring it back.
+            deleted = name not in landmarks_by_name(landmarks.file.landmarks)
+            return landmarks.file if deleted else with_positions(landmarks.file, found)
+
+        if not found:
+            self.changed.emit()
+        elif not landmarks.edit(placed):
+            self.changed.emit()
+            return  # it was said why
+        if deleted:
+            title = tr(name.strip())
+            told = tr("{title} was deleted meanwhile: its place was not kept", title=title)
+            say(store, told, "warning")
+            return
+        for one in located[:1]:
+            if why := why_kept(landmarks.file, name, one.clicked.instant):
+                say(store, tr(why), "warning")
+            else:
+                say(store, _words(one), "info" if one in found else "warning")
+
+    def _not_located(self, text: str) -> None:
+        self.working = ""
+        say(self._store, text, "warning")
+        self.changed.emit()
+
+
+def _words(one: LocatedLandmark) -> str:
+    found, name = one.found, tr(one.clicked.name.strip())
+    if found.position is None or found.deviations_m is None:
+        return f"{name}: {tr(found.failure or '')}"
+    views = len(one.clicked.clicks) - len(one.without_view) - len(found.left_out)
+    place = ", ".join(f"{value:.2f}" for value in found.position)
+    deviations = ", ".join(f"{value:.2f}" for value in found.deviations_m)
+    said = [
+        tr(
+            "{title} is at {place} m, ± {deviations}, from {views} views",
+            title=name,
+            place=place,
+            deviations=deviations,
+            views=views,
+        )
+    ]
+    if found.left_out:
+        said.append(tr("left out: {names}", names=", ".join(found.left_out)))
+    return "; ".join(said)
 
 
 def _scan(

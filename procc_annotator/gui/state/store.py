@@ -37,33 +37,42 @@ _DUE = {  # tuples: members are looked up by identity
 }
 
 
+class _Selection:
+    """A selection of the state that several watches share: evaluated once per state."""
+
+    def __init__(self, select: Callable[[State], object], state: State) -> None:
+        self._select, self._state, self._value = select, state, select(state)
+        self._version = 0
+
+    def version(self, state: State) -> int:
+        """Return a number that differs if the selection does."""
+        if state is not self._state:
+            self._state, value = state, self._select(state)
+            if not same(value, self._value):
+                self._value = value
+                self._version += 1
+        return self._version
+
+
 class _Watch:
     """Calls back if its selection of the state differs from the one of the last call."""
 
     def __init__(
-        self,
-        select: Callable[[State], object],
-        callback: Callable[[], object],
-        when: When,
-        state: State,
+        self, selection: _Selection, callback: Callable[[], object], when: When, state: State
     ) -> None:
-        self._select, self.when = select, when
+        self._selection, self.when = selection, when
         self._callback = WeakMethod(callback) if ismethod(callback) else lambda: callback
-        self._selected = select(state)
-
-    def differs(self, state: State) -> bool:
-        """Return whether the selection has changed since the last call."""
-        return not same(self._select(state), self._selected)
+        self._version = selection.version(state)
 
     def check(self, state: State) -> bool:
         """Call back if the selection has changed; return False once the owner is gone."""
-        selected = self._select(state)
-        if same(selected, self._selected):
+        version = self._selection.version(state)
+        if version == self._version:
             return True
         callback = self._callback()
         if callback is None or not _is_alive(callback):
             return False
-        self._selected = selected
+        self._version = version
         callback()
         return True
 
@@ -85,6 +94,7 @@ class Store(QObject):
         self.events = Events(self)
         self.score: Callable[[State, State], object] = lambda before, after: None
         self._state = self._scored = self._notified = state
+        self._selections: dict[Callable[[State], object], _Selection] = {}
         self._watches: list[_Watch] = []
         self._transactions = 0
         self._notifying = False
@@ -136,7 +146,9 @@ class Store(QObject):
                 the store and must hold no widget.
             when: when to call.
         """
-        self._watches.append(_Watch(select, callback, when, self._state))
+        if select not in self._selections:
+            self._selections[select] = _Selection(select, self._state)
+        self._watches.append(_Watch(self._selections[select], callback, when, self._state))
 
     def watch_visible(
         self,
@@ -187,21 +199,25 @@ class Store(QObject):
                 self._round(When.GESTURE if self._only_gesture else When.NOW)
 
     def _round(self, when: When) -> None:
+        """Check the watches that are due; if some fail, the others are checked all the same."""
         before, self._scored = self._scored, self._state
         if before is not self._state:
             self.score(before, self._state)
-        state = self._notified = self._state
+        self._notified = self._state
         if when is not When.GESTURE:
             self._only_gesture = True
-        due = _DUE[when]
-        with ExitStack() as each:
-            for watch in reversed([w for w in self._watches if w.when in due]):
-                if watch.differs(state):
-                    each.callback(self._check, watch)
-
-    def _check(self, watch: _Watch) -> None:
-        if not watch.check(self._state):
-            self._watches.remove(watch)
+        due, errors = _DUE[when], []
+        for watch in tuple(self._watches):
+            if watch.when in due:
+                try:
+                    if not watch.check(self._state):
+                        self._watches.remove(watch)
+                except Exception as error:  # noqa: BLE001 - raised below
+                    errors.append(error)
+        if len(errors) == 1:
+            raise errors[0]
+        if errors:
+            raise ExceptionGroup("several callbacks failed", errors)
 
     def _end_round(self) -> None:
         self._notifying = False

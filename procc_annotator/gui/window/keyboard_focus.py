@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.canvas.held_keys import beside_picture, typed_into
+from procc_annotator.gui.canvas.canvas_keys import beside_picture, typed_into
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
 
 _WIDTH = 2

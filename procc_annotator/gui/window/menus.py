@@ -15,6 +15,7 @@ from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 from procc_annotator.translation import tr
 
 
@@ -140,7 +141,7 @@ class ActionStates(QObject):
         self._actions = actions
         document.store.watch(lambda s: (s.workspace, select.mode(s)), self._show_mode)
         document.blind_lock.refused.connect(self._show_mode)
-        document.store.watch(select.annotation, self._show_steps)
+        document.store.watch(select.annotation, self._show_steps, When.AFTER_PAINT)
         document.store.watch(lambda s: s.keymap, self._take_keys)
         document.live_fit.changed.connect(self._show_live_fit)
         document.disagreement.changed.connect(self._show_maps)

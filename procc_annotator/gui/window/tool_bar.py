@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
     QWidgetAction,
 )
 
-from procc_annotator.gui.canvas.looks import LookControls
+from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.theme import blend, paint_icon
@@ -247,7 +247,7 @@ class SideToolBar(QToolBar):
 
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""
-        self.looks = LookControls()
+        self.looks = AdjustmentControls()
         self.looks.lookChanged.connect(self.lookChanged)
         menu = QMenu(self)
         action = QWidgetAction(menu)

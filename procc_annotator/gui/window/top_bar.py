@@ -27,6 +27,7 @@ from procc_annotator.gui.panels.widgets import RangeBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.gui.window.status import ElidedLabel, IsolatedRow, SteadyLabel
@@ -114,7 +115,8 @@ class CameraBar(QWidget):
         row.addWidget(self.terms, 1)
         store = document.store
         store.watch(lambda s: (s.looks, s.active), self._show_cameras)
-        store.watch(judged, self._show_score)
+        store.watch(judged, self._show_score, When.AFTER_PAINT)
+        store.watch(lambda s: s.projection_visible, self._show_score)  # hidden at once
         self._show_cameras()
 
     def _show_cameras(self) -> None:

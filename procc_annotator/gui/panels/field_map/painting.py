@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF, QTransform
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.gui.canvas.metre_map_picture import paint_shapes
+from procc_annotator.gui.canvas.map_painting import paint_shapes
 from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
 from procc_annotator.gui.state.map_shapes import MapShapes

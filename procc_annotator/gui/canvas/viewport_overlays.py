@@ -1,4 +1,4 @@
-"""A movable divider over the picture, with the names of what is drawn on either side."""
+"""Widgets over the picture: name plates, the divider of the split view, blind mode's frame."""
 
 from __future__ import annotations
 
@@ -9,15 +9,50 @@ from PySide6.QtGui import (
     QFontMetricsF,
     QKeyEvent,
     QMouseEvent,
+    QMoveEvent,
     QPainter,
     QPaintEvent,
     QPen,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from procc_annotator.gui.canvas.pinned import Pinned
+from procc_annotator.assist.track_anchors import CameraCorrection
+from procc_annotator.calibration.single_image.proposal import NONE, SURE
+from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.roles import give_role
-from procc_annotator.translation import tr
+from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.state import State
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.palette import UNSURE_GHOST
+from procc_annotator.translation import tr, tr_count, word
+
+
+class ViewportOverlay(QWidget):
+    """A child of the viewport that stays where it is put: a view that scrolls would take it along.
+
+    It lets the mouse through unless it says otherwise.
+    """
+
+    def __init__(self, viewport: QWidget, name: str) -> None:
+        super().__init__(viewport)
+        self.setObjectName(name)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._place = QPoint()
+        self.hide()
+
+    def put(self, area: QRect) -> None:
+        """Stand here from now on."""
+        self._place = area.topLeft()
+        self.setGeometry(area)
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        super().moveEvent(event)
+        if self.pos() != self._place:
+            self.move(self._place)
+
 
 _GRIP = QSize(26, 44)
 _ABOVE_BOTTOM = 16  # the grip stands low, where it hides the least
@@ -29,7 +64,7 @@ _TOP = 10
 _SIGNS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
-class NamePlate(Pinned):
+class NamePlate(ViewportOverlay):
     """The name of a source on a dark plate, behind a patch of its colour."""
 
     def __init__(self, viewport: QWidget, name: str) -> None:
@@ -84,7 +119,7 @@ class NamePlate(Pinned):
         painter.drawText(room, where | Qt.TextFlag.TextWordWrap, text)
 
 
-class _Line(Pinned):
+class _Line(ViewportOverlay):
     """The divider itself: light between two dark lines."""
 
     WIDTH = 4
@@ -95,7 +130,7 @@ class _Line(Pinned):
         painter.fillRect(self.rect().adjusted(1, 0, -1, 0), _LIGHT)
 
 
-class DividerGrip(Pinned):
+class DividerGrip(ViewportOverlay):
     """What the divider is dragged by; the only part that takes the mouse."""
 
     movedTo = Signal(float)  # x in the viewport
@@ -227,3 +262,144 @@ class SplitView(QObject):
         wanted, room = self.right.wanted_size(), size.width() - x - 16
         width = max(0, min(wanted.width(), room))
         self.right.put(QRect(x + 8, _TOP + self.top, width, wanted.height()))
+
+
+_WIDTH = 3  # screen px of the frame
+_BESIDE = 8
+_WORDS = word("Blind: no camera is shown before Ctrl+Enter")
+_COMMITTED = word("Blind mode, this frame is committed")
+
+
+class BlindFrame(QObject):
+    """Four edges and a badge; none of them takes the mouse or moves the picture."""
+
+    def __init__(self, document: Document, view: PictureView) -> None:
+        viewport = view.viewport()
+        super().__init__(viewport)
+        self._viewport, self._store = viewport, document.store
+        self.edges = [_Edge(viewport, f"blindEdge{i}") for i in range(4)]  # not shown
+        self.badge = NamePlate(viewport, "blindBadge")
+        view.resized.connect(self._stand_if_shown)
+        document.store.watch(_shown, self._show)
+        self._show()
+
+    def _stand_if_shown(self) -> None:
+        if not self.badge.isHidden():
+            self._stand()
+
+    def _show(self) -> None:
+        blind, committed = _shown(self._store.state)
+        self.badge.say(tr(_COMMITTED if committed else _WORDS), UNSURE_GHOST)
+        for part in (*self.edges, self.badge):
+            part.setVisible(blind)
+        if blind:
+            self._stand()
+
+    def _stand(self) -> None:
+        width, height = self._viewport.width(), self._viewport.height()
+        boxes = (
+            QRect(0, 0, width, _WIDTH),
+            QRect(0, height - _WIDTH, width, _WIDTH),
+            QRect(0, 0, _WIDTH, height),
+            QRect(width - _WIDTH, 0, _WIDTH, height),
+        )
+        for edge, box in zip(self.edges, boxes, strict=True):
+            edge.put(box)
+        size = self.badge.wanted_size()
+        size.setWidth(min(size.width(), width - 2 * _BESIDE))
+        left = width - size.width() - _BESIDE
+        self.badge.put(QRect(left, height - size.height() - _BESIDE, size.width(), size.height()))
+
+
+class _Edge(ViewportOverlay):
+    """A plain strip."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        QPainter(self).fillRect(self.rect(), QColor(UNSURE_GHOST))
+
+
+def _shown(state: State) -> tuple[bool, bool]:
+    """Return whether the mode is on while a frame is on screen, and whether that frame is
+    committed."""
+    return state.blind and state.frame is not None, state.projection_visible
+
+
+_MARGIN = 8
+_GREY = tones.UNKNOWN_CLASS
+
+
+class FoundPlate(NamePlate):
+    """Says whether a camera is looked for, sure, unsure or none, and why; in words and colour."""
+
+    def __init__(self, document: Document, view: PictureView) -> None:
+        super().__init__(view.viewport(), "foundPlate")
+        self._document, self._viewport = document, view.viewport()
+        self._soon = after_paint(self, self._show)
+        document.foresight.changed.connect(self._soon.start)
+        document.store.watch(lambda s: (select.annotation(s), select.mode(s)), self._soon.start)
+        view.resized.connect(self._stand)
+
+    def _show(self) -> None:
+        said = self._words()
+        self.setVisible(said is not None)
+        if said is not None:
+            text, tone = said
+            self.say(text, tone)
+            if self.wanted_size().width() > self._room():
+                self.say(text.partition(" (")[0], tone)  # the figures give way to the reason
+            self._stand()
+
+    def _room(self) -> int:
+        return self._viewport.width() - 2 * _MARGIN
+
+    def _stand(self) -> None:
+        width = min(self.wanted_size().width(), self._room())
+        height = self.wanted_height(width)
+        top = self._viewport.height() - height - _MARGIN
+        self.put(QRect(_MARGIN, top, width, height))
+
+    def _words(self) -> tuple[str, str] | None:
+        """Text and colour; None where there is nothing to say."""
+        document = self._document
+        state, foresight = document.state, document.foresight
+        if state.frame is None or not document.proposals.allowed:
+            return None
+        stands_in = foresight.stands_in or document.corrections.rules
+        if state.annotation.annotated and not stands_in:
+            return None  # the clicks say more
+        if (corrected := document.corrections.here) is not None:
+            return _of_corrected(corrected, looking=document.corrections.looking)
+        if document.shot_track.fit_here is not None:
+            doubt = foresight.doubt
+            if doubt:
+                return tr("Camera of the track, unsure: {why}", why=doubt), tones.UNSURE_GHOST
+            return tr("Camera of the track: Shift+Enter accepts its elements"), tones.PASSES
+        if document.proposals.working:
+            return tr("Looking for the camera in the picture …"), _GREY
+        proposal = document.proposals.here
+        if proposal is None:
+            return None
+        why = proposal.reason
+        if proposal.state == NONE:
+            return tr("No camera found: {why}", why=why), _GREY
+        if proposal.state == SURE:
+            return tr("Camera found, sure: {why}", why=why), tones.PASSES
+        return tr("Camera found, unsure: {why}", why=why), tones.UNSURE_GHOST
+
+
+def _of_corrected(corrected: CameraCorrection, *, looking: bool) -> tuple[str, str]:
+    pegs = tr_count(len(corrected.pegs), "{n} peg", "{n} pegs")
+    if not corrected.looked:
+        if looking:
+            return tr("Camera dragged, {pegs}: its lines are looked for …", pegs=pegs), _GREY
+        return tr("Camera dragged, {pegs}", pegs=pegs), _GREY
+    if corrected.why_not:
+        why = corrected.why_not
+        text = tr("Camera dragged, {pegs}, not made exact: {why}", pegs=pegs, why=why)
+        return text, tones.UNSURE_GHOST
+    text = tr(
+        "Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines",
+        pegs=pegs,
+        share=corrected.coverage,
+    )
+    return text, tones.PASSES

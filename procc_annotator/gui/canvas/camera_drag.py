@@ -43,7 +43,7 @@ _BESIDE = 0.02  # of the picture's width
 _NO_LINES = np.empty((0, 4))
 
 
-class CameraHand(QObject):
+class CameraDrag(QObject):
     """Follows keys and mouse of the picture before the tools do, and takes what is meant for the
     camera. A place that was dragged stays as a peg: the next one turns and zooms about it.
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QTransform
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.gui.canvas.items import draw_lines, visible_parts
+from procc_annotator.gui.canvas.overlay_painter import draw_lines, visible_parts
 from procc_annotator.gui.state.map_shapes import MapShapes
 from procc_annotator.interaction import palette
 

@@ -7,7 +7,7 @@ therefore cut here, along whole curves, since Qt would start the pattern anew at
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import cast
@@ -19,6 +19,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
 from procc_annotator.gui.canvas.label_plates import arranged, paint_plates
+from procc_annotator.interaction.legend import LegendEntry
 from procc_annotator.interaction.overlay_primitives import (
     Box,
     FilledArea,
@@ -291,3 +292,30 @@ def _paint_marks(painter: QPainter, marks: PointMarks, view: _View, near: Box) -
         for box in boxes:
             painter.drawEllipse(box)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def paint_samples(
+    painter: QPainter,
+    entries: Iterable[LegendEntry],
+    places: Iterable[tuple[float, float]],
+    *,
+    length: float,
+    unit: float = 1.0,
+) -> None:
+    """Paint the samples of a legend: the lines of each entry, and its mark on their middle.
+
+    Args:
+        places: left end of each sample, device px.
+        length: of the lines, device px.
+        unit: device px per point.
+    """
+    strokes, marks = [], []
+    for entry, (x, y) in zip(entries, places, strict=True):
+        line = np.array([[x, y, x + length, y]])
+        strokes += [Strokes(line, s.colour, s.width, s.dash) for s in entry.lines]
+        if (mark := entry.mark) is not None:
+            centre = np.array([[x + length / 2, y]])
+            marks.append(PointMarks(centre, mark.shape, mark.colour, mark.size))
+    # The painter of overlays puts whole numbers on pixel centres; here they are edges.
+    overlay = Overlay(tuple(strokes), tuple(marks), ())
+    paint_overlay(painter, overlay, scale=1.0, offset=(-0.5, -0.5), unit=unit)

@@ -1,4 +1,4 @@
-"""Sliders for how the picture is shown."""
+"""Sliders for brightness, contrast, gamma and line enhancement."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _TITLES = {
 }
 
 
-class LookControls(QWidget):
+class AdjustmentControls(QWidget):
     """Brightness, contrast, gamma and line enhancement; `lookChanged` gives what the user chose."""
 
     lookChanged = Signal(object)  # Look
