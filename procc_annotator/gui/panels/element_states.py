@@ -18,7 +18,7 @@ from procc_annotator.translation import tr, word
 
 
 class ElementState(Enum):
-    """What is known about one class in the frame on screen."""
+    """The state of one class in the frame on screen."""
 
     UNTOUCHED = "untouched"
     ANNOTATED = "annotated"

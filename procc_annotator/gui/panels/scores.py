@@ -70,7 +70,7 @@ _HEADER_TIPS = (
 
 
 class ScoreRow(NamedTuple):
-    """What one line of the table says; compared to find out what changed."""
+    """One line of the table; compared to find changed lines."""
 
     class_name: str
     counted_as: str

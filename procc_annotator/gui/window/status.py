@@ -71,7 +71,7 @@ class ElidedLabel(QWidget):
             self._soon.start()
 
     def show_line(self, message: str, hint: str) -> None:
-        """What just happened, and before what the next click does; either may be empty."""
+        """Show what just happened and what the next click does; either may be empty."""
         self._begins_with_title = not (message and hint)
         self.set_text(MESSAGE_END.join(filter(None, (message, hint))))
         self.setToolTip(self.text())
@@ -242,7 +242,7 @@ class StatusLine(QStatusBar):
         self._just_told.setSingleShot(True)
 
     def set_hint(self, text: str) -> None:
-        """What the next click, Enter and Esc will do; stands after the message that is shown."""
+        """Set what the next click, Enter and Esc do; shown after the message."""
         self._hint = text
         if self._message_timer.isActive():
             self._show_message()
@@ -269,7 +269,7 @@ class StatusLine(QStatusBar):
     def set_cursor(
         self, px: tuple[float, float] | None, metres: tuple[float, float] | None
     ) -> None:
-        """Where the cursor is; None when it is nowhere."""
+        """Show the cursor's position; None outside the picture."""
         self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
         self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
 
@@ -286,7 +286,7 @@ class StatusLine(QStatusBar):
         self.good_to.setText("" if metres is None else tr(_GROUND, metres=metres))
 
     def set_work(self, text: str, tip: str = "") -> None:
-        """What goes on in the background; empty when nothing does."""
+        """Show the background work; empty for none."""
         self.work.setText(text)
         self.work.setToolTip(tip)
 
@@ -322,21 +322,21 @@ class StatusReport(QObject):
         self._show_titles()
 
     def _show_titles(self) -> None:
-        """What elements are called, which hints and messages name."""
+        """Pass on the titles of elements, which hints and messages contain."""
         self._status.hint.set_titles(tr(e.title) for e in self._document.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
-        """How far the scores of the set are; nothing once they are all there."""
+        """Show the progress of scoring the set; nothing when it is complete."""
         text = tr("scoring {done:,} / {total:,}", done=done, total=total) if done < total else ""
         self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_comparing(self, done: int, total: int) -> None:
-        """How far the comparison of two sources is; nothing once it is over."""
+        """Show the progress of comparing two sources; nothing when it is over."""
         text = tr("comparing {done:,} / {total:,}", done=done, total=total) if total else ""
         self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_ghosts(self, done: int, total: int) -> None:
-        """How far the look along all ghosts is; nothing once it is over."""
+        """Show the progress of checking all ghosts; nothing when it is over."""
         text = tr("ghosts {done:,} / {total:,}", done=done, total=total) if total else ""
         self._status.set_work(text, tr("Esc ends it"))
 

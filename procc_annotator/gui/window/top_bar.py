@@ -412,7 +412,7 @@ class TopBar(QToolBar):
         self._show_status()
 
     def _show_dataset(self) -> None:
-        """What is open, and the sport it is of."""
+        """Show the dataset and its sport."""
         workspace, field = self._document.state.workspace, self._document.state.field
         name = workspace.root.name if workspace is not None else ""
         self.chip.set_words(" · ".join(filter(None, (name, tr(field.title)))))
