@@ -43,8 +43,8 @@ FileAndInstant = tuple[LandmarkFile, str | None]  # of a dataset, and of the fra
 
 
 class LandmarkEllipses(ComputedValue[Ellipses]):
-    """Error ellipses of the landmarks whose position has a covariance, by the scored camera, else by
-    the fit."""
+    """Error ellipses of the landmarks whose position has a covariance, by the scored camera, else
+    by the fit."""
 
     def __init__(
         self, store: Store, live_fit: LiveFit, judge: Judge, here: Callable[[], FileAndInstant]

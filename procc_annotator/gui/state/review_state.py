@@ -54,8 +54,8 @@ _JUDGED = (Status.APPROVED, Status.REJECTED)
 
 
 class ReviewState(QObject):
-    """Review data of the workspace database: status, comments, time, origins, kept current with edits
-    and other windows."""
+    """Review data of the workspace database: status, comments, time, origins, kept current with
+    edits and other windows."""
 
     statusChanged = Signal(str)
     originsChanged = Signal()

@@ -80,8 +80,8 @@ class Saver(QObject):
         return self._writing is not None or bool(self._again)
 
     def save_soon(self, index: int) -> None:
-        """As `save_behind`, after the next paint: the writing thread would take the interpreter from
-        it."""
+        """As `save_behind`, after the next paint: the writing thread would take the interpreter
+        from it."""
         if self.under_way:
             self._again.add(index)
         elif self._has_changes(index):

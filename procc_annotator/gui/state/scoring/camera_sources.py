@@ -40,7 +40,8 @@ class KeptVerdicts:
         return None if verdict is None else verdict.fault
 
     def verdict(self, name: str, source: CameraSource) -> Verdict | None:
-        """Return the verdict on a frame with a source, also if blind mode hides it; None for fits."""
+        """Return the verdict on a frame with a source, also if blind mode hides it; None for
+        fits."""
         if source.files is None:
             return None
         return self._review.verdict(name, source.name, self.place(source))
