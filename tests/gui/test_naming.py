@@ -69,7 +69,7 @@ def test_two_points_are_no_curve_without_a_word(
     assert circle is not None
     QTest.keySequence(menu, circle.shortcut)
     assert len(saved("Circle central")) == 2
-    assert "Centre circle is a curve" in window.document.state.told.text
+    assert "Centre circle is a curve" in window.message_bar.label.text()
     hand.click(200, 200)  # and it goes on
     hand.key(Qt.Key.Key_Return)
     assert len(saved("Circle central")) == 3
