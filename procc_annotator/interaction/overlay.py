@@ -226,7 +226,7 @@ class OverlayContent:
 
 @dataclass(frozen=True, slots=True)
 class GestureContent:
-    """What may change with every move of the mouse.
+    """The part of the overlay that may change with every move of the mouse.
 
     Attributes:
         annotation: of the frame, as if the mouse button were released now.

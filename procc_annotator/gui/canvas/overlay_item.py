@@ -103,7 +103,7 @@ def _exposed(painter: QPainter, clip: QRectF) -> list[QRectF]:
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
 _WIDE_LETTER = 13.0  # of Japanese and Chinese
-_SIGNS = 40.0  # what may stand beside a text at the cursor
+_SIGNS = 40.0  # signs next to a text at the cursor
 _ABOVE = 28.0
 _BELOW = 32.0
 _EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
@@ -121,7 +121,7 @@ Beside = tuple[tuple[float, float], str, tuple[float, ...]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Seen:
-    """How the view looked when it was painted: where the picture lay, and what could be seen."""
+    """The view when it was last painted: position of the picture, visible area."""
 
     world: QTransform
     room: QRectF  # device px
@@ -166,7 +166,7 @@ class OverlayItem(QGraphicsItem):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.setZValue(1)
         self.overlay = EMPTY_OVERLAY
-        self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and what is in hand
+        self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and gestures
         self.ghosts = EMPTY_OVERLAY  # below everything
         self.gesture = EMPTY_OVERLAY  # above everything; what is below rarely changes meanwhile
         self._layers: tuple[Overlay, ...] | None = None
@@ -178,7 +178,7 @@ class OverlayItem(QGraphicsItem):
         self._painted_at: _Seen | None = None
 
     def set_area(self, area: QRectF) -> None:
-        """Where anything may be painted (points may lie outside the picture)."""
+        """Set the area that may be painted (points may lie outside the picture)."""
         self.prepareGeometryChange()
         self._area = QRectF(area)
 

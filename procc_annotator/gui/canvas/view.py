@@ -245,7 +245,7 @@ class PictureView(QGraphicsView):
         self._pan_from = position
 
     def go_along(self, delta: QPointF) -> None:
-        """Show what is so many screen px to the right and below."""
+        """Scroll by ``delta`` screen px."""
         self._scroll_by(delta)
         self._fitted = False
         self.viewChanged.emit()
@@ -269,7 +269,7 @@ class PictureView(QGraphicsView):
         self.viewport().setCursor(shape)
 
     def tool_cursor(self) -> Qt.CursorShape:
-        """The cursor of the tool in hand."""
+        """The cursor of the current tool."""
         return Qt.CursorShape.ArrowCursor
 
     # --- events ---------------------------------------------------------------------------
