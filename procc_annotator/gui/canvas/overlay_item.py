@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import chain, repeat, zip_longest
-from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, QSizeF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.canvas.label_plates import arranged
 from procc_annotator.gui.canvas.overlay_painter import paint_overlay
+from procc_annotator.gui.canvas.picture_item import exposed_rects
 from procc_annotator.gui.theme import text_times
 from procc_annotator.interaction.overlay_primitives import (
     EMPTY_OVERLAY,
@@ -83,21 +83,10 @@ class StillOverlay:
                 )  # fmt: skip
             own.end()
         painter.save()
-        for place in _exposed(painter, clip):
-            painter.setClipRect(place)
+        for place in exposed_rects(painter):
+            painter.setClipRect(place & clip)
             painter.drawPixmap(0, 0, self._picture)
         painter.restore()
-
-
-def _exposed(painter: QPainter, clip: QRectF) -> list[QRectF]:
-    """Return the rectangles that are painted now: Qt blends a pixmap several times as fast within
-    one rectangle as within a region of several."""
-    region = painter.paintEngine().systemClip()
-    if region.isEmpty():
-        return [clip]
-    to_view, _ = painter.deviceTransform().inverted()
-    places = [to_view.mapRect(QRectF(place)) & clip for place in cast(Iterable[QRect], region)]
-    return [place for place in places if not place.isEmpty()]
 
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
