@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import chain, repeat, zip_longest
 
@@ -50,13 +50,13 @@ class StillOverlay:
         clip: QRectF,
         room: QSize,
         seen: QRectF | None = None,
-        labelled: bool = True,
+        lines_only: bool = False,
     ) -> None:
         """Paint overlays, the first one lowest.
 
         Args:
             painter: in coordinates of the view.
-            layers, scale, offset, clip, labelled: as for `paint_overlay`.
+            layers, scale, offset, clip, lines_only: as for `paint_overlay`.
             room: size of the view.
             seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
         """
@@ -68,7 +68,7 @@ class StillOverlay:
             for overlay in layers:
                 paint_overlay(
                     painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
-                    labelled=labelled, text_times=times,
+                    lines_only=lines_only, text_times=times,
                 )  # fmt: skip
             return
         if self._picture is None:
@@ -80,7 +80,7 @@ class StillOverlay:
             for overlay in layers:
                 paint_overlay(
                     own, overlay, scale=scale, offset=offset, clip=whole, room=seen,
-                    labelled=labelled, text_times=times,
+                    lines_only=lines_only, text_times=times,
                 )  # fmt: skip
             own.end()
         painter.save()
@@ -272,10 +272,10 @@ class OverlayItem(QGraphicsItem):
         if self.gesture is not EMPTY_OVERLAY:
             self._still_below_gesture.paint(
                 painter, layers[:-1], scale=scale, offset=offset, clip=clip, room=room, seen=seen,
-                labelled=False,
+                lines_only=True,
             )  # fmt: skip
-            texts = [Overlay((), (), layer.labels) for layer in layers if layer.labels]
-            layers = replace(self.gesture, labels=()), *texts
+            above = [Overlay((), layer.marks, layer.labels) for layer in layers]
+            layers = Overlay(self.gesture.strokes, (), ()), *above
         for layer in layers:
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still
