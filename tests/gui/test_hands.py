@@ -181,7 +181,7 @@ class TestLooks:
         document, canvas = on_pitch.document, on_pitch.canvas
         assert document.walk.picture is not None
         before = document.walk.picture.copy()
-        on_pitch.rail.looks.set_look(DisplayAdjustment(brightness=0.3))
+        on_pitch.side_bar.looks.set_look(DisplayAdjustment(brightness=0.3))
         canvas.set_look(DisplayAdjustment(brightness=0.3))
         assert canvas.shown.pixels is not None
         assert canvas.shown.pixels.mean() > before.mean() + 10
