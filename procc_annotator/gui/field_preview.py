@@ -31,7 +31,7 @@ _MOST_REMARKS = 8
 
 @dataclass(frozen=True)
 class _Read:
-    """What a description holds: a field with what is doubtful about it, or what is wrong."""
+    """A field with its warnings, or the error in its description."""
 
     field: Field | None = None
     remarks: tuple[FieldWarning, ...] = ()
@@ -39,7 +39,7 @@ class _Read:
 
 
 class _ProblemBar(Bar):
-    """What is wrong with the file, until it is fixed."""
+    """Shows the error in the file until it is fixed."""
 
     def __init__(self) -> None:
         super().__init__("problemBar")

@@ -112,7 +112,7 @@ class MainWindow(QMainWindow):
     # --- assembly -------------------------------------------------------------------------
 
     def _make_bars(self) -> None:
-        """What stands around the picture and the panels, with the actions in it."""
+        """Make the bars around the picture and the panels."""
         self.workspace_switch = WorkspaceSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
@@ -130,7 +130,7 @@ class MainWindow(QMainWindow):
         self.setStatusBar(self.status)
 
     def _make_helpers(self) -> None:
-        """What watches the window and helps: tips, keys, what is reported."""
+        """Make tips, key helpers and reports."""
         self.focus_return = FocusReturn(self.canvas)
         self.finding_tips = FindingTips(self.document, self.canvas)
         self.focus_ring = FocusRing(self)
@@ -145,7 +145,7 @@ class MainWindow(QMainWindow):
         )
 
     def _make_tasks(self) -> None:
-        """What the table of actions calls."""
+        """Make the objects that the table of actions calls."""
         document = self.document
         self.element_edits = ElementEdits(document)
         self.naming = Naming(document, self.canvas, self.element_edits)

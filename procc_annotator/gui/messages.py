@@ -118,7 +118,7 @@ class MessageBar(Bar):
 
 
 class FrameBar(Bar):
-    """Why the frame on screen cannot be edited; stays while that is so."""
+    """Shows why the frame on screen cannot be edited, as long as that is so."""
 
     def __init__(self) -> None:
         super().__init__("frameBar")

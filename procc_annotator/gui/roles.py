@@ -1,4 +1,4 @@
-"""What a widget that paints itself is to a screen reader: Qt calls it a client area, no more."""
+"""Accessible roles of self-painted widgets, which Qt calls a client area only."""
 
 from __future__ import annotations
 

@@ -91,7 +91,7 @@ APPLICATION = "Annotator"  # not shown
 
 @dataclass(frozen=True, slots=True)
 class Kind(Generic[T]):
-    """How values are kept in the file.
+    """Conversion of values from and to the file.
 
     Attributes:
         read: a value from what is kept; None if it is none of this kind.
@@ -104,7 +104,7 @@ class Kind(Generic[T]):
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """How a setting is offered to be changed.
+    """Presentation of a setting in the dialog.
 
     Attributes:
         group: what it is listed with.
@@ -282,7 +282,7 @@ OFFERED: tuple[Setting[Any], ...] = (
 
 
 class Settings:
-    """What is kept of the settings; a value of the wrong kind counts as absent."""
+    """The stored settings; a value of the wrong kind counts as absent."""
 
     def __init__(self) -> None:
         self._store = QSettings(

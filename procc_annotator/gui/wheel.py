@@ -1,4 +1,4 @@
-"""What a wheel or two fingers mean over a picture: zoom, or go along."""
+"""Meaning of the wheel and of two fingers over a picture: zoom or scroll."""
 
 from __future__ import annotations
 

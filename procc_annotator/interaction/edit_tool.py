@@ -266,7 +266,7 @@ class EditTool:
         return IGNORED
 
     def nudge(self, arrow: str, step: float, context: ToolContext) -> Reaction:
-        """Move the chosen points so many picture px."""
+        """Move the chosen points by ``step`` picture px."""
         chosen = context.chosen_points
         if self.busy or not chosen:
             return IGNORED
@@ -322,9 +322,8 @@ class EditTool:
         return editing.move_point(base, *self.grabbed, point)
 
     def _leads_back(self, placed: Position, at: Position, context: ToolContext) -> bool:
-        """Return whether snapping would take a point back to the line that the hand takes it
-        away from:
-        it has come farther across that line than along it."""
+        """Return whether snapping would take a point back to the line that it is dragged away
+        from: it has come farther across that line than along it."""
         assert self._before is not None
         assert self.grabbed is not None
         polyline = None if self._inserted else self._before.get(self.grabbed[0])

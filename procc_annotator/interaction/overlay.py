@@ -226,7 +226,7 @@ class OverlayContent:
 
 @dataclass(frozen=True, slots=True)
 class GestureContent:
-    """What may change with every move of the mouse.
+    """The part of the overlay that may change with every move of the mouse.
 
     Attributes:
         annotation: of the frame, as if the mouse button were released now.
@@ -283,12 +283,11 @@ class OverlayBuilder:
         self, shown: OverlayContent, verdict: ScoredFrame, by_class: bool
     ) -> Iterator[Strokes]:
         drawn, waiting = self._drawn, self._waiting
-        looked_at = None if shown.highlight in shown.dragged else shown.highlight
         selected = None if shown.selected_class in shown.dragged else shown.selected_class
         score, paint = (shown.score, shown.paint) if shown.with_projection else (None, None)
         yield from self._ellipses(shown.ellipses)
-        yield from self._halos(drawn, verdict, looked_at, selected)
-        yield from self._waiting_halos(waiting, NO_SCORED_FRAME, looked_at, selected)
+        yield from self._halos(drawn, verdict, shown.highlight, selected)
+        yield from self._waiting_halos(waiting, NO_SCORED_FRAME, shown.highlight, selected)
         yield from self._second_strokes(self._second)
         yield from self._projection(verdict.projection)
         yield from self._paint(paint, score, shown.size, shown.picture_size)
@@ -383,7 +382,9 @@ def _dragged_overlay(shown: OverlayContent, moved: FrameAnnotation) -> Overlay:
         looked_at = frozenset((shown.selected_class, shown.highlight))
         ring, labels = finding_signs(shown.found, annotation, size, shown.field, looked_at)
         marks.append(ring)
-    strokes = [s for s in halos(drawn, verdict, highlight, selected) if len(s.segments)]
+    # The projection's halo lies below the projection.
+    around = halos(drawn, NO_SCORED_FRAME, highlight, selected)
+    strokes = [s for s in around if len(s.segments)]
     return Overlay((*strokes, *lines), tuple(marks), labels)
 
 

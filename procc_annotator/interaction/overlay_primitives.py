@@ -279,7 +279,7 @@ class PointMarks:
 
 
 Snap = Literal["off", "none", "found", ""]
-"""Whether the next click is put on a line: not wanted, no line there, on one; or nothing to say."""
+"""State of snapping for the next click: off, no line found, on a line, or not applicable."""
 
 
 @dataclass(frozen=True, slots=True)

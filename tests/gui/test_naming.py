@@ -57,7 +57,7 @@ def test_two_points_are_no_curve_without_a_word(window, hand, qtbot, saved):
     circle = window.document.state.field.element("Circle central")
     QTest.keySequence(menu, circle.shortcut)
     assert len(saved("Circle central")) == 2
-    assert "Centre circle is a curve" in window.document.state.told.text
+    assert "Centre circle is a curve" in window.message_bar.label.text()
     hand.click(200, 200)  # and it goes on
     hand.key(Qt.Key.Key_Return)
     assert len(saved("Circle central")) == 3

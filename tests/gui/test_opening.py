@@ -78,5 +78,5 @@ def test_the_sample_is_tried_on_a_copy(window, sample_copy, qtbot, tmp_path, mon
     window.actions_["open_sample"].trigger()
     own = tmp_path / "data" / "procc-annotator" / "sample"
     qtbot.waitUntil(lambda: own.is_dir() and window.document.state.workspace.folder == own)
-    assert str(own) in window.document.state.told.text
+    assert str(own) in window.status.hint.text_for(2000)
     assert {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")} == files

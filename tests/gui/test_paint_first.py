@@ -77,7 +77,7 @@ def test_an_undo_is_one_step_and_draws_the_overlay_once(audited, qtbot, monkeypa
     document.editing.commit_edit("nudge", nudged(document.state.annotation))
     settle(audited, qtbot)
     steps, drawn = [], []
-    document.store.changed.connect(lambda *_: steps.append(document.state.annotation))
+    document.store.watch(lambda s: s.annotation, lambda: steps.append(1))
     draw = canvas.overlay_item.set_overlay
     monkeypatch.setattr(
         canvas.overlay_item, "set_overlay", lambda *a, **k: (drawn.append(a), draw(*a, **k))

@@ -363,8 +363,7 @@ class TestSecondAnnotator:
         table = window.agreement.table
         assert table.model().rowCount() == 1
         assert table.model().index(0, 0).data() == "Halfway line"
-        told = window.document.store.state.told
-        assert "read as labelme" in told.text
+        assert "read as labelme" in window.status.hint.text_for(2000)
         assert window.document.state.noise_floor is not None
         assert file.read_bytes() == before
 

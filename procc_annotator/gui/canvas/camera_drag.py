@@ -37,8 +37,8 @@ _KEYS = {
     Qt.Key.Key_Control: Qt.KeyboardModifier.ControlModifier,
     Qt.Key.Key_Alt: Qt.KeyboardModifier.AltModifier,
 }
-_CLICK_PX = 3.0  # on the screen: a hand that went no farther only clicked
-_HAND_PX = 1.0  # on the screen, standard deviation: as exactly as a hand puts a place
+_CLICK_PX = 3.0  # on the screen: a shorter way counts as a click
+_HAND_PX = 1.0  # on the screen, standard deviation: precision of a position set by mouse
 _BESIDE = 0.02  # of the picture's width
 _NO_LINES = np.empty((0, 4))
 
@@ -70,9 +70,9 @@ class CameraDrag(QObject):
         self._pressed_at: Position | None = None
         self._moved = False
         self._begun: PinholeCamera | None = None  # the camera when the button went down
-        self._others: tuple[ControlPoint, ...] = ()  # the pegs that are not in hand by then
+        self._others: tuple[ControlPoint, ...] = ()  # the control points that are not dragged
         self._dragged: PinholeCamera | None = None
-        self._put: ControlPoint | None = None  # the place in hand as that camera shows it
+        self._put: ControlPoint | None = None  # the dragged point as that camera shows it
         self._fresh = False  # nothing else was done since the last drag
         view.installEventFilter(self)
         view.viewport().installEventFilter(self)
@@ -243,7 +243,7 @@ class CameraDrag(QObject):
         return tr("no camera is known here that could be dragged")
 
     def _look_under(self) -> None:
-        """What the next press takes hold of."""
+        """Find the control point or line that the next press grabs."""
         at = self._at if self.held else None
         before = self._under, self._grabbed
         self._under = self._grabbed = None
@@ -389,7 +389,7 @@ class CameraDrag(QObject):
         return segments_in_sight(camera, document.judge.frame_setup.field, size)
 
     def _shown_under(self) -> tuple[Position, str] | None:
-        """Return where the place in hand, or the one that would be, is seen."""
+        """Return where the dragged point, or the one under the cursor, is seen."""
         if self._dragged is not None:
             world = self._in_hand((0.0, 0.0)).world
             x, y = self._dragged.project(np.array([world]))[0][0].tolist()

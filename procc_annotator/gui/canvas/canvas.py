@@ -1,4 +1,4 @@
-"""The picture with everything drawn over it, and the hands on it."""
+"""The canvas: the picture with its overlays, and its mouse and key events."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ _PAN_HINT = (
 
 
 class Canvas(PictureView):
-    """Shows the document's frame; mouse and keys go to the tool in hand."""
+    """Shows the document's frame; mouse and keys go to the draw or edit tool."""
 
     cursorMoved = Signal(object)  # (x, y) in picture px, or None
     hintChanged = Signal(str)
@@ -155,7 +155,7 @@ class Canvas(PictureView):
             QToolTip.showText(place, text, self.viewport(), QRect(), _EXPLANATION_MS)
 
     def set_look(self, look: DisplayAdjustment) -> None:
-        """How pictures are shown, from now on for every frame."""
+        """Set the display adjustment of all frames."""
         self.shown.set_look(look)
 
     @property
@@ -175,7 +175,7 @@ class Canvas(PictureView):
     # --- loupe ----------------------------------------------------------------------------
 
     def set_loupe_always(self, always: bool) -> None:
-        """Whether the loupe is there without a key held."""
+        """Show the loupe also while no key is held."""
         self.loupe_always = always
         self._place_loupe()
 
@@ -199,11 +199,11 @@ class Canvas(PictureView):
         self.comparison.view_changed()
 
     def set_keep_zoom(self, keep: bool) -> None:
-        """Whether place and zoom stay when the frame changes."""
+        """Keep position and zoom when the frame changes."""
         self.keep_zoom = keep
 
     def set_pan(self, on: bool) -> None:
-        """Whether the left button moves the picture instead of using the tool in hand."""
+        """Let the left button pan instead of passing it to the tool."""
         if on != self.pan_tool:
             self.pan_tool = on
             self.update_cursor()
@@ -223,18 +223,18 @@ class Canvas(PictureView):
             self._document.editing.undo()
 
     def key(self, name: str, shift: bool = False) -> None:
-        """What the tool in hand does on Enter, Backspace, Escape or Delete."""
+        """Pass Enter, Backspace, Escape or Delete to the tool."""
         if name == "Escape" and self.pan_tool:
             self.set_pan(False)
         elif not self.editor.key(name, shift=shift) and name == "Escape":
             self.keys.put_away()
 
     def arrow(self, name: str, step: float) -> None:
-        """Move the chosen points so many picture px; without any, what the keys point with."""
+        """Move the chosen points by ``step`` picture px; without any, the crosshair."""
         self.keys.arrow(name, step)
 
     def point_at(self, px: tuple[float, float]) -> None:
-        """The hand is there now, whichever way it came."""
+        """Move the cursor of the tool, by mouse or by keys."""
         self.cursor_px = px
         self.editor.move(px, Modifiers())
         self.drawing.refresh_gesture()

@@ -34,7 +34,7 @@ _HALF_PIXEL = 0.5  # pixel (0, 0) is the scene's square from (0, 0) to (1, 1)
 
 
 class Crosshair(QGraphicsItem):
-    """Where the keys point; hidden while the mouse does.
+    """The cursor of the keys; hidden while the mouse points.
 
     Attributes:
         px: its place in picture px; None while the mouse points.
@@ -70,7 +70,7 @@ class Crosshair(QGraphicsItem):
 
 
 def moved(px: Position, arrow: str, step: float, size: tuple[int, int]) -> Position:
-    """A place so many picture px further, within the picture."""
+    """Move a position by ``step`` picture px, within the picture."""
     dx, dy = ARROWS[arrow]
     x, y = px[0] + dx * step, px[1] + dy * step
     return min(max(x, 0.0), size[0] - 1.0), min(max(y, 0.0), size[1] - 1.0)
@@ -83,7 +83,7 @@ _AWAY = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason
 
 @dataclass(frozen=True)
 class HeldKey:
-    """What a key does when it goes down, when it comes up again, and when no one sees that."""
+    """Callbacks of a key: pressed, released, and released unseen (the focus left)."""
 
     down: Callable[[], None]
     up: Callable[[], None]
@@ -179,7 +179,7 @@ _WHAT = word(
 class KeyPointing(QObject):
     """Does with keys what the mouse does on the picture."""
 
-    pointed = Signal(object)  # where the hand is now, picture px
+    pointed = Signal(object)  # position of the crosshair, picture px
     forgotten = Signal()  # it is nowhere any more
 
     def __init__(
@@ -200,7 +200,7 @@ class KeyPointing(QObject):
         return self.crosshair.px is not None
 
     def arrow(self, name: str, step: float) -> None:
-        """Move the chosen points, or the crosshair where none is chosen, so many picture px."""
+        """Move the chosen points, or without any the crosshair, by ``step`` picture px."""
         if self._editor.nudge(name, step):
             return
         size = self._document.state.picture_size
@@ -213,7 +213,7 @@ class KeyPointing(QObject):
             self._document.say(tr(_WHAT), "info")
 
     def click(self, modifiers: Modifiers) -> None:
-        """What a click of the mouse would do there."""
+        """Click at the crosshair."""
         px = self.crosshair.px
         if px is None:
             return

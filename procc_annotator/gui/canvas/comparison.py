@@ -1,4 +1,4 @@
-"""What is drawn of other sources than the judged one: wireframes, blink, split."""
+"""Overlays of sources other than the judged one: wireframes, blink, split view."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class OtherSources(QObject):
 
     @property
     def front(self) -> CameraSource | None:
-        """The source whose verdicts are drawn, on the left if there are two sides."""
+        """The source with its verdicts drawn; the left one of two sides."""
         document = self._document
         return document.state.compared if self.looking else document.state.active
 
@@ -109,7 +109,7 @@ class OtherSources(QObject):
     # --- drawing --------------------------------------------------------------------------
 
     def set_area(self, area: QRectF) -> None:
-        """Where anything may be painted, scene coordinates."""
+        """Set the area that may be painted, scene coordinates."""
         self.other_side.set_area(area)
 
     def refresh(self, *, hidden: bool) -> None:
@@ -139,7 +139,7 @@ class OtherSources(QObject):
         self._take_sides()
 
     def set_top(self, top: int) -> None:
-        """Name the sides below so many screen px, which something else covers."""
+        """Place the names of the sides below ``top`` screen px, which bars cover."""
         self.split.top = top
         self.split.place()
         if not self._plate.isHidden():

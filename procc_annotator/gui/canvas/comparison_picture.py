@@ -355,7 +355,7 @@ def paint_wireframe(
     colour: str,
     unit: float,
 ) -> None:
-    """What a camera shows of the field, as lines.
+    """Paint the field as a camera shows it, as lines.
 
     Args:
         camera: in px of ``size``.

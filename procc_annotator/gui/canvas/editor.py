@@ -31,7 +31,7 @@ from procc_annotator.translation import tr, tr_count
 
 
 def why_not_deleted(title: str, dropped: int) -> str:
-    """Why no element was deleted, or what was taken back instead.
+    """Return why no element was deleted, or what was taken back instead.
 
     Args:
         title: of the chosen element; empty for none.
@@ -47,7 +47,7 @@ def why_not_deleted(title: str, dropped: int) -> str:
 
 
 def waiting(title: str, frame: str) -> str:
-    """That a single click on an element was kept as its frame was left."""
+    """Return the message: a single click was kept when its frame was left."""
     return tr(
         "kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on",
         title=title,
@@ -56,7 +56,7 @@ def waiting(title: str, frame: str) -> str:
 
 
 def finished(title: str, count: int, frame: str) -> str:
-    """That an element was finished with so many points as its frame was left."""
+    """Return the message: an element was finished when its frame was left."""
     if not frame:
         return tr_count(
             count,
@@ -264,7 +264,7 @@ class Editor(QObject):
         return self._ask(lambda context: self._answer(name, context, shift=shift), begun=begun)
 
     def nudge(self, arrow: str, step: float) -> bool:
-        """Move the chosen points so many px; False if none is chosen."""
+        """Move the chosen points by ``step`` px; False if none is chosen."""
         if self._draw.busy:
             return False
         return self._ask(lambda context: self._edit.nudge(arrow, step, context), begun=False)
@@ -367,7 +367,7 @@ class Editor(QObject):
         return self._context() if self._document.state.editable or begun else None
 
     def _look_before(self) -> None:
-        """What the last annotated frame has is likely to be seen in this one too."""
+        """Remember the elements of the last annotated frame: they are likely here too."""
         workspace, index = self._document.state.workspace, self._document.state.frame_index
         self.seen_before = frozenset()
         if workspace is not None and (found := annotated_before(workspace, index)) is not None:
@@ -421,7 +421,7 @@ class Editor(QObject):
         )
 
     def _look_under(self) -> None:
-        """What is under the cursor, which may have changed without a move of the mouse."""
+        """Find what is under the cursor; it may change without a move of the mouse."""
         document, context = self._document, self._workable()
         looking = document.state.mode == "edit" or document.state.selected_class is None
         if context is None or self._cursor is None or not looking:
@@ -440,7 +440,7 @@ class Editor(QObject):
             self._document.selecting.hover_class(hit.class_name if hit is not None else None)
 
     def _do(self, reaction: Reaction) -> None:
-        """What a tool answered, as one step."""
+        """Apply the reaction of a tool in one transaction."""
         if reaction.handled:
             with self._document.store.transaction():
                 self._take(reaction)

@@ -159,7 +159,7 @@ def _width(text: str, unit: float, times: float) -> float:
 
 
 def _hand_room(signs: CursorSigns | None, letter: float) -> tuple[float, float]:
-    """Return what the signs of the hand take before and behind a text, device px."""
+    """Return the widths of the cursor signs before and behind a text, device px."""
     if signs is None:
         return 0.0, 0.0
     return (SWATCH + GAP) * letter, (MAGNET + GAP) * letter if signs.snap else 0.0

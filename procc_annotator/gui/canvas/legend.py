@@ -23,7 +23,7 @@ _EDGE = 8
 _SAMPLE, _GAP = 30.0, 8.0
 _PLATE = QColor(20, 20, 20, 200)
 _TEXT = QColor("#f4f4f4")
-_AROUND = 24  # screen px: so near the hand needs what lies below
+_AROUND = 24  # screen px around it within which the cursor hides it
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -54,12 +54,12 @@ class CornerLegend(ViewportOverlay):
             signal.connect(self._soon.start)
 
     def set_wanted(self, wanted: bool) -> None:
-        """Whether a person wants to see it."""
+        """Show the legend, or not (View menu)."""
         self._wanted = wanted
         self._look()
 
     def show_for(self, colour_by: ColourBy, *, bare: bool) -> None:
-        """What colours say, and whether nothing is drawn over the picture."""
+        """Explain these colours; nothing for the bare picture."""
         shown = colour_by, bare, self._comparison.names_of_others()
         if shown != (self._by, self._bare, self._others):
             self._by, self._bare, self._others = shown
@@ -67,7 +67,7 @@ class CornerLegend(ViewportOverlay):
 
     @Slot(object)
     def follow(self, cursor: QPointF | None) -> None:
-        """The hand is there now, viewport px: what is under it is to be seen."""
+        """Hide while the cursor (viewport px) is near."""
         self._hand = cursor
         if self.entries:
             self._show()
@@ -112,7 +112,7 @@ class CornerLegend(ViewportOverlay):
         )
 
     def _origins(self) -> tuple[frozenset[str], tuple[str, ...]]:
-        """Return how points came to be, and whose they are."""
+        """Return origins and authors of the points."""
         document = self._document
         if self._by not in ("origin", "annotator") or document.state.frame is None:
             return frozenset(), ()

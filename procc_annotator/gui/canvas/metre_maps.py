@@ -86,7 +86,7 @@ _TEXT = QColor("#f4f4f4")
 
 @dataclass(frozen=True, slots=True)
 class MapWords:
-    """What a map is of, in what unit, and what each of its lines says."""
+    """Texts of a map: title, unit, and one per level line."""
 
     title: str
     unit: str  # a line of its own: titles may be as long as they like
@@ -219,7 +219,7 @@ class MetreMaps(QObject):
         document.uncertainty.changed.connect(self._show)
 
     def set_hidden(self, hidden: bool) -> None:
-        """Whether overlays are hidden."""
+        """Hide the map with the other overlays."""
         if hidden != self._hidden:
             self._hidden = hidden
             self._show()

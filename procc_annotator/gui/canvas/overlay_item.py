@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import chain, repeat, zip_longest
-from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, QSizeF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.canvas.label_plates import arranged
 from procc_annotator.gui.canvas.overlay_painter import paint_overlay
+from procc_annotator.gui.canvas.picture_item import exposed_rects
 from procc_annotator.gui.theme import text_times
 from procc_annotator.interaction.overlay_primitives import (
     EMPTY_OVERLAY,
@@ -50,12 +50,13 @@ class StillOverlay:
         clip: QRectF,
         room: QSize,
         seen: QRectF | None = None,
+        lines_only: bool = False,
     ) -> None:
         """Paint overlays, the first one lowest.
 
         Args:
             painter: in coordinates of the view.
-            layers, scale, offset, clip: as for `paint_overlay`.
+            layers, scale, offset, clip, lines_only: as for `paint_overlay`.
             room: size of the view.
             seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
         """
@@ -67,7 +68,7 @@ class StillOverlay:
             for overlay in layers:
                 paint_overlay(
                     painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
-                    text_times=times,
+                    lines_only=lines_only, text_times=times,
                 )  # fmt: skip
             return
         if self._picture is None:
@@ -79,31 +80,20 @@ class StillOverlay:
             for overlay in layers:
                 paint_overlay(
                     own, overlay, scale=scale, offset=offset, clip=whole, room=seen,
-                    text_times=times,
+                    lines_only=lines_only, text_times=times,
                 )  # fmt: skip
             own.end()
         painter.save()
-        for place in _exposed(painter, clip):
-            painter.setClipRect(place)
+        for place in exposed_rects(painter):
+            painter.setClipRect(place & clip)
             painter.drawPixmap(0, 0, self._picture)
         painter.restore()
-
-
-def _exposed(painter: QPainter, clip: QRectF) -> list[QRectF]:
-    """Return the rectangles that are painted now: Qt blends a pixmap several times as fast within
-    one rectangle as within a region of several."""
-    region = painter.paintEngine().systemClip()
-    if region.isEmpty():
-        return [clip]
-    to_view, _ = painter.deviceTransform().inverted()
-    places = [to_view.mapRect(QRectF(place)) & clip for place in cast(Iterable[QRect], region)]
-    return [place for place in places if not place.isEmpty()]
 
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
 _WIDE_LETTER = 13.0  # of Japanese and Chinese
-_SIGNS = 40.0  # what may stand beside a text at the cursor
+_SIGNS = 40.0  # signs next to a text at the cursor
 _ABOVE = 28.0
 _BELOW = 32.0
 _EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
@@ -121,7 +111,7 @@ Beside = tuple[tuple[float, float], str, tuple[float, ...]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Seen:
-    """How the view looked when it was painted: where the picture lay, and what could be seen."""
+    """The view when it was last painted: position of the picture, visible area."""
 
     world: QTransform
     room: QRectF  # device px
@@ -166,7 +156,7 @@ class OverlayItem(QGraphicsItem):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.setZValue(1)
         self.overlay = EMPTY_OVERLAY
-        self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and what is in hand
+        self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and gestures
         self.ghosts = EMPTY_OVERLAY  # below everything
         self.gesture = EMPTY_OVERLAY  # above everything; what is below rarely changes meanwhile
         self._layers: tuple[Overlay, ...] | None = None
@@ -178,7 +168,7 @@ class OverlayItem(QGraphicsItem):
         self._painted_at: _Seen | None = None
 
     def set_area(self, area: QRectF) -> None:
-        """Where anything may be painted (points may lie outside the picture)."""
+        """Set the area that may be painted (points may lie outside the picture)."""
         self.prepareGeometryChange()
         self._area = QRectF(area)
 
@@ -281,9 +271,11 @@ class OverlayItem(QGraphicsItem):
         layers = self.layers
         if self.gesture is not EMPTY_OVERLAY:
             self._still_below_gesture.paint(
-                painter, layers[:-1], scale=scale, offset=offset, clip=clip, room=room, seen=seen
-            )
-            layers = layers[-1:]
+                painter, layers[:-1], scale=scale, offset=offset, clip=clip, room=room, seen=seen,
+                lines_only=True,
+            )  # fmt: skip
+            above = [Overlay((), layer.marks, layer.labels) for layer in layers]
+            layers = Overlay(self.gesture.strokes, (), ()), *above
         for layer in layers:
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still

@@ -44,6 +44,7 @@ def paint_overlay(
     clip: QRectF | None = None,
     room: QRectF | None = None,
     labelled: bool = True,
+    lines_only: bool = False,
     text_times: float = 1.0,
 ) -> None:
     """Paint an overlay.
@@ -57,6 +58,7 @@ def paint_overlay(
         clip: what needs painting, in device px; None for the whole device.
         room: what can be seen of the device; texts of points in it stay inside. None for all.
         labelled: whether with its texts.
+        lines_only: without marks and texts.
         text_times: how large texts are of what they usually are.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
@@ -74,10 +76,10 @@ def paint_overlay(
         if _touches(strokes.box, near):
             _paint_strokes(painter, strokes, unit / scale, near)
     painter.setWorldTransform(device)
-    for marks in overlay.seen_marks:
+    for marks in () if lines_only else overlay.seen_marks:
         if _touches(marks.box, near):
             _paint_marks(painter, marks, view, near)
-    if labelled and overlay.labels:
+    if labelled and not lines_only and overlay.labels:
         at = scale, view.x, view.y
         room_box = seen.left(), seen.top(), seen.right(), seen.bottom()
         plates = arranged(overlay.labels, at, room_box, unit=unit, times=text_times)

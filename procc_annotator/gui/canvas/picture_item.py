@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import cast
 
 from PySide6.QtCore import QObject, QPointF, QRect, QRectF, Signal
-from PySide6.QtGui import QImage, QPainter, QRegion, QTransform
+from PySide6.QtGui import QImage, QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.state.background import ComputedValue, Inputs
@@ -87,7 +87,6 @@ class PictureItem(QGraphicsItem):
         self.reduced = DownscaledImages()
         self._small: PixelArray | None = None
         self._small_image = QImage()
-        self.wanted = QRegion()  # of the view, what is painted now
 
     def set_picture(self, pixels: PixelArray | None, size: tuple[int, int] | None) -> None:
         """Show another picture, or none.
@@ -103,11 +102,6 @@ class PictureItem(QGraphicsItem):
         self._image = QImage() if pixels is None else image_of(pixels)
         self._small, self._small_image = None, QImage()
         self.update()
-
-    @property
-    def is_empty(self) -> bool:
-        """Return whether there is no picture to be painted."""
-        return self._pixels is None
 
     def boundingRect(self) -> QRectF:
         return QRectF(0, 0, *self._size)
@@ -137,12 +131,22 @@ class PictureItem(QGraphicsItem):
         world = painter.worldTransform()
         painter.setWorldTransform(QTransform())
         at = QPointF(round(world.dx() * ratio), round(world.dy() * ratio)) / ratio
-        if self.wanted.rectCount() > 1 and ratio == round(ratio):
-            # Place by place: inside one rectangle a row is copied, inside several it is woven.
-            for place in cast(Iterable[QRect], self.wanted):
-                painter.setClipRect(place)
-                painter.drawImage(at, self._small_image)
-            painter.setClipping(False)
-        else:
+        for place in exposed_rects(painter):
+            painter.setClipRect(place)
             painter.drawImage(at, self._small_image)
+        painter.setClipping(False)
         painter.setWorldTransform(world)
+
+
+def exposed_rects(painter: QPainter) -> list[QRectF]:
+    """Return the rectangles that are painted now, logical px: Qt copies or blends an image several
+    times as fast within one rectangle as within a region of several.
+
+    Args:
+        painter: without a world transform.
+    """
+    region = painter.paintEngine().systemClip()
+    if region.isEmpty():
+        return [QRectF(painter.viewport())]
+    to_logical, _ = painter.deviceTransform().inverted()
+    return [to_logical.mapRect(QRectF(place)) for place in cast(Iterable[QRect], region)]

@@ -1,4 +1,4 @@
-"""Where a click goes: to the middle of the paint that is looked for, in the picture on screen."""
+"""Snapping of clicks to the centre of line markings in the picture on screen."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class ScreenSnapper:
     """A `Snapper` that knows the picture, the field and the fitted camera as they are now.
 
     It looks for each line once: a click, its hint and what is drawn of it ask for the same. Who
-    draws before the hand moved takes what is `remembered`: looking takes as long as painting.
+    draws before the mouse moved takes what is `remembered`: looking takes as long as painting.
     """
 
     def __init__(self, document: Document) -> None:

@@ -8,11 +8,9 @@ points with is that pixel's middle, half a device pixel further.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import cast
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QHelpEvent,
@@ -20,8 +18,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QNativeGestureEvent,
     QPainter,
-    QPaintEvent,
-    QRegion,
     QResizeEvent,
     QTransform,
     QWheelEvent,
@@ -38,7 +34,6 @@ _KEY_STEP = 1.5
 _AREA_SHARE, _AREA_SCALE = 0.7, 4.0  # of the view that an area takes, and its largest scale
 _AREA_BEYOND = (1 - _AREA_SHARE) / 2  # of the view that may lie beyond the picture's edge for it
 _FIT_MARGIN = 6  # screen px around a fitted picture
-_HIDES = 2  # screen px from its edge on a picture surely hides what lies under it
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,7 +240,7 @@ class PictureView(QGraphicsView):
         self._pan_from = position
 
     def go_along(self, delta: QPointF) -> None:
-        """Show what is so many screen px to the right and below."""
+        """Scroll by ``delta`` screen px."""
         self._scroll_by(delta)
         self._fitted = False
         self.viewChanged.emit()
@@ -269,30 +264,10 @@ class PictureView(QGraphicsView):
         self.viewport().setCursor(shape)
 
     def tool_cursor(self) -> Qt.CursorShape:
-        """The cursor of the tool in hand."""
+        """The cursor of the current tool."""
         return Qt.CursorShape.ArrowCursor
 
     # --- events ---------------------------------------------------------------------------
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        self.picture_item.wanted = event.region()
-        super().paintEvent(event)
-
-    def drawBackground(self, painter: QPainter, rect: QRectF | QRect) -> None:
-        """Fill what is next to the picture only: the picture hides the rest."""
-        if self.picture_item.is_empty:
-            super().drawBackground(painter, rect)
-            return
-        picture = self.viewportTransform().mapRect(self.picture_item.boundingRect())
-        hidden = picture.toAlignedRect().adjusted(_HIDES, _HIDES, -_HIDES, -_HIDES)
-        beside = self.picture_item.wanted.subtracted(QRegion(hidden))
-        if beside.isEmpty():
-            return
-        world = painter.worldTransform()
-        painter.setWorldTransform(QTransform())
-        for place in cast(Iterable[QRect], beside):
-            painter.fillRect(place, self.backgroundBrush())
-        painter.setWorldTransform(world)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         moved = gone_along(event)

@@ -131,7 +131,7 @@ class _Line(ViewportOverlay):
 
 
 class DividerGrip(ViewportOverlay):
-    """What the divider is dragged by; the only part that takes the mouse."""
+    """Handle of the divider; the only part that takes the mouse."""
 
     movedTo = Signal(float)  # x in the viewport
 

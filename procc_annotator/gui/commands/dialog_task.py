@@ -13,10 +13,10 @@ from procc_annotator.gui.state.document import Document
 
 
 class TaskDialog(Protocol):
-    """What every such dialog can be given."""
+    """Interface of such a dialog."""
 
     def set_running(self, running: bool) -> None:
-        """Whether the work goes on."""
+        """Show whether the work is running."""
         ...
 
     def tell(self, text: str, /) -> None:

@@ -61,7 +61,7 @@ class _Row(NamedTuple):
 
 
 class _AgreementModel(ElementRowsModel[_Row]):
-    """How both agree, what agrees least first."""
+    """Agreement of both by class, least first."""
 
     def __init__(self) -> None:
         super().__init__((word("Element"), word("Median"), "95 %", word("Points")))

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.document import Document
@@ -17,7 +18,7 @@ from procc_annotator.translation import tr, word
 
 
 class ElementState(Enum):
-    """What is known about one class in the frame on screen."""
+    """The state of one class in the frame on screen."""
 
     UNTOUCHED = "untouched"
     ANNOTATED = "annotated"
@@ -31,6 +32,7 @@ class ElementState(Enum):
 
 
 _NOT_VISIBLE_DASH = (1.0, 4.0)
+_SIDE = 14  # logical px of a symbol in a row
 
 WORDS = {
     ElementState.UNTOUCHED: "",
@@ -134,24 +136,28 @@ def _pen(state: ElementState, rgba: int, width: float) -> QPen:
     return pen
 
 
-def symbol_icon(state: ElementState, palette: QPalette, side: int, dpr: float) -> QIcon:
-    """The symbol of a state, sharp at the given pixel ratio; in a selected row it takes its text's
-    colour, which its shape allows.
+def symbol_icon(state: ElementState, view: QWidget) -> QIcon:
+    """The symbol of a state for the rows of a view; in a selected row it takes its text's colour,
+    which its shape allows.
     """
-    icon = QIcon(_symbol_pixmap(state, state_colour(state, palette), side, dpr))
+    palette = view.palette()
     on_highlight = palette.color(QPalette.ColorRole.HighlightedText)
-    icon.addPixmap(_symbol_pixmap(state, on_highlight, side, dpr), QIcon.Mode.Selected)
+    colours = state_colour(state, palette).rgba(), on_highlight.rgba()
+    return _symbol_icon(state, *colours, view.devicePixelRatioF())
+
+
+@lru_cache(maxsize=256)
+def _symbol_icon(state: ElementState, usual: int, selected: int, dpr: float) -> QIcon:
+    icon = QIcon()
+    for colour, mode in ((usual, QIcon.Mode.Normal), (selected, QIcon.Mode.Selected)):
+        pixmap = QPixmap(round(_SIDE * dpr), round(_SIDE * dpr))
+        pixmap.setDevicePixelRatio(dpr)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        paint_symbol(painter, QRectF(0, 0, _SIDE, _SIDE), state, QColor.fromRgba(colour))
+        painter.end()
+        icon.addPixmap(pixmap, mode)
     return icon
-
-
-def _symbol_pixmap(state: ElementState, colour: QColor, side: int, dpr: float) -> QPixmap:
-    pixmap = QPixmap(round(side * dpr), round(side * dpr))
-    pixmap.setDevicePixelRatio(dpr)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    paint_symbol(painter, QRectF(0, 0, side, side), state, colour)
-    painter.end()
-    return pixmap
 
 
 def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: QColor) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QFont, QIcon, QKeyEvent, QResizeEvent
+from PySide6.QtGui import QBrush, QFont, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QLineEdit,
@@ -55,7 +55,6 @@ class ElementsPanel(QWidget):
         self._document = document
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
-        self._icons: dict[ElementState, QIcon] = {}
         self._shown: dict[str, tuple[ElementState, int, bool]] = {}
         self._findings = FindingSigns(document)
         self._narrow = False
@@ -228,7 +227,7 @@ class ElementsPanel(QWidget):
                 item.setText(POINTS, str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else words_for(state))
                 item.setToolTip(STATUS, tr(EXPLANATIONS[state]))
-                item.setIcon(STATUS, self._icon(state))
+                item.setIcon(STATUS, symbol_icon(state, self))
         others += self._findings.show(self.tree, self._items, CHECK)
         model.blockSignals(False)
         self._tell_view(others)
@@ -247,12 +246,6 @@ class ElementsPanel(QWidget):
         for item in others:
             row = self.tree.visualItemRect(item)
             viewport.update(0, row.top(), viewport.width(), row.height())
-
-    def _icon(self, state: ElementState) -> QIcon:
-        if state not in self._icons:
-            dpr = self.devicePixelRatioF()
-            self._icons[state] = symbol_icon(state, self.palette(), 14, dpr)
-        return self._icons[state]
 
     def _show_selection(self) -> None:
         item = self._items.get(self._document.state.selected_class or "")
@@ -280,7 +273,6 @@ class ElementsPanel(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_refresher"):
-            self._icons.clear()
             self._shown.clear()
             self._refresher.request()
         super().changeEvent(event)

@@ -106,7 +106,7 @@ def _worst_point(
 
 
 class FitTableModel(ElementRowsModel[FitRow]):
-    """How far each element lies off the fitted camera."""
+    """Distances of each element from the fitted camera."""
 
     def __init__(self) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, MEAN)

@@ -164,7 +164,7 @@ class ReviewPanel(QWidget):
         self._show_thread(document.review.comments(frame.name))
 
     def _show_blind(self, frame: str) -> None:
-        """Whether the clicks are those that were committed before any camera was shown."""
+        """Show whether the clicks were committed before any camera was shown."""
         commit = self._document.review.blind_commit(frame)
         if commit is None:
             show_note(self.blind, "")
@@ -220,7 +220,7 @@ class ReviewPanel(QWidget):
             self.text.clear()
 
     def _begin_frame(self) -> None:
-        """What is typed already belongs to the frame it was begun on."""
+        """Keep a comment that is being typed for the frame it was begun on."""
         document, typed = self._document, self.text.text()
         if self._typed_on is not None and typed:
             self._typed[self._typed_on] = typed

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
-from PySide6.QtGui import QGuiApplication, QIcon, QKeySequence, QResizeEvent
+from PySide6.QtGui import QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -71,7 +70,7 @@ _HEADER_TIPS = (
 
 
 class ScoreRow(NamedTuple):
-    """What one line of the table says; compared to find out what changed."""
+    """One line of the table; compared to find changed lines."""
 
     class_name: str
     counted_as: str
@@ -120,9 +119,9 @@ def _passes_from(distance: float | None) -> str:
 class ScoreTableModel(ElementRowsModel[ScoreRow]):
     """The verdict on every element."""
 
-    def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
+    def __init__(self, view: QWidget) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, POINT)
-        self._icon = icon
+        self._view = view  # whose colours the symbols have
         self.elements: list[ScoreExplanation] = []
 
     def show(self, rows: list[ScoreRow], elements: list[ScoreExplanation]) -> None:
@@ -135,7 +134,7 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
         if role == Qt.ItemDataRole.DisplayRole:
             return (row.title, words_for(row.state), row.point, row.worst, row.passes)[column]
         if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
-            return self._icon(row.state)
+            return symbol_icon(row.state, self._view)
         if role == Qt.ItemDataRole.TextAlignmentRole and column >= POINT:
             return RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -255,7 +254,6 @@ class ScoresPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("scores_panel")
         self._document = document
-        self._icons: dict[ElementState, QIcon] = {}
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._build()
@@ -338,7 +336,7 @@ class ScoresPanel(QWidget):
 
     def _build_table(self) -> QVBoxLayout:
         """The table, and below it why the chosen element counts as it does."""
-        self.model = ScoreTableModel(self._icon)
+        self.model = ScoreTableModel(self)
         self.table = score_table(self.model)
         self.table.chosen.connect(self._fly)
         self.table.entered.connect(self._hover)
@@ -360,12 +358,6 @@ class ScoresPanel(QWidget):
         layout.addWidget(self.table, 1)
         layout.addWidget(self.why)
         return layout
-
-    def _icon(self, state: ElementState) -> QIcon:
-        if state not in self._icons:
-            dpr = self.devicePixelRatioF()
-            self._icons[state] = symbol_icon(state, self.palette(), 14, dpr)
-        return self._icons[state]
 
     # --- showing -------------------------------------------------------------------------------
 
@@ -451,11 +443,6 @@ class ScoresPanel(QWidget):
         self.table.setColumnHidden(POINT, event.size().width() < NARROW)
         self.table.setColumnHidden(PASSES, event.size().width() < _VERY_NARROW)
         super().resizeEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        if event.type() == QEvent.Type.PaletteChange:
-            self._icons.clear()
-        super().changeEvent(event)
 
     # --- choosing ------------------------------------------------------------------------------
 

@@ -131,7 +131,7 @@ def list_rows(table: QTableView, room: int = 6) -> None:
 
 
 class ElementRow(Protocol):
-    """What every row has."""
+    """Interface of a row."""
 
     @property
     def class_name(self) -> str:

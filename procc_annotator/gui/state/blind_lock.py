@@ -55,7 +55,7 @@ class BlindLock(QObject):
         return tr("{reason}: there is no live fit in it", reason=reason)
 
     def of_dataset(self) -> dict[str, object]:
-        """Return what the state is to hold of the dataset whose database is the review's by now."""
+        """Return the state fields of the dataset that the review database belongs to."""
         return {**self._of_lock(), "committed": self._review.committed_frames()}
 
     def set_blind(self, blind: bool) -> None:

@@ -126,7 +126,7 @@ class CameraSource:
 
 @dataclass(frozen=True, slots=True)
 class SourceLook:
-    """How a source is shown: whatever of it differs is another value."""
+    """How a source is shown; replaced when anything of it changes."""
 
     source: CameraSource
     cameras: FrameCameras

@@ -88,13 +88,13 @@ class Document(QObject):
 
     @property
     def state(self) -> State:
-        """As it is now."""
+        """The present state."""
         return self.store.state
 
     # --- assembly -----------------------------------------------------------------------------
 
     def _listen(self) -> None:
-        """What services find out by themselves goes into the state."""
+        """Put into the state what services find by themselves."""
         self.review.failed.connect(self._say_warning)
         self.saver.failed.connect(self._say_unsaved)
         self.saver.changed.connect(self._take_unsaved)

@@ -1,4 +1,4 @@
-"""What happens in the application and is no part of its state, as Qt signals."""
+"""Events of the application that are no part of its state, as Qt signals."""
 
 from __future__ import annotations
 

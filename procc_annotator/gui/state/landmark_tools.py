@@ -43,8 +43,8 @@ FileAndInstant = tuple[LandmarkFile, str | None]  # of a dataset, and of the fra
 
 
 class LandmarkEllipses(ComputedValue[Ellipses]):
-    """One for each landmark of the frame on screen whose place has a covariance, by the camera that
-    is judged, else by the fit."""
+    """Error ellipses of the landmarks whose position has a covariance, by the scored camera, else
+    by the fit."""
 
     def __init__(
         self, store: Store, live_fit: LiveFit, judge: Judge, here: Callable[[], FileAndInstant]
@@ -129,7 +129,7 @@ class LandmarkFiles(QObject):
             watch.watch(None if workspace is None else workspace.folder / name)
 
     def note_written(self) -> None:
-        """What is being read may be older than what was written just now: it is read again."""
+        """Read again if a read is in progress: it may have begun before the write."""
         if self._found.working:
             self.read_again()
 

@@ -288,7 +288,7 @@ class Landmarks(QObject):
     # --- views ---
 
     def other_views(self) -> tuple[tuple[int, str, str], ...]:
-        """Of the other frames of the instant on screen: index, name, camera."""
+        """Return index, name and camera of the other frames of the instant on screen."""
         workspace, name = self._store.state.workspace, self._store.state.frame_name
         if workspace is None or name is None:
             return ()

@@ -1,4 +1,5 @@
-"""Where the camera that is judged shows the paint of the field's lines, worked out next to."""
+"""Maps over picture and field, computed in the background: disagreement of two cameras, visible
+field, uncertainty of the fit, painted line widths."""
 
 from __future__ import annotations
 
@@ -270,7 +271,7 @@ def _look_at(*inputs: object) -> VisibleField | None:
 
 @dataclass(frozen=True, eq=False)
 class KnownGround:
-    """How surely one fit knows the ground.
+    """The uncertainty of ground points by one fit.
 
     Attributes:
         values: the map and its figures.

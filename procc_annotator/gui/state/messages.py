@@ -1,4 +1,4 @@
-"""What is said to the user: lines that are reported once, and notices that hold until withdrawn."""
+"""Messages that are shown once, and notices that stay until they are withdrawn."""
 
 from __future__ import annotations
 

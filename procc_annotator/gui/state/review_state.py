@@ -54,7 +54,8 @@ _JUDGED = (Status.APPROVED, Status.REJECTED)
 
 
 class ReviewState(QObject):
-    """What the workspace's database knows, kept in step with hands and with other windows."""
+    """Review data of the workspace database: status, comments, time, origins, kept current with
+    edits and other windows."""
 
     statusChanged = Signal(str)
     originsChanged = Signal()
@@ -161,7 +162,7 @@ class ReviewState(QObject):
         return read_commit(self.setting(setting_of(frame)))
 
     def committed_frames(self) -> frozenset[str]:
-        """The frames whose clicks were declared final."""
+        """Return the frames with final clicks."""
         records = self.database.records() if self.database is not None else {}
         return frozenset(name for name, record in records.items() if record.committed)
 
@@ -200,7 +201,7 @@ class ReviewState(QObject):
     def set_verdict(
         self, frame: str, source: str, place: str, fault: FaultParty | None, comment: str = ""
     ) -> None:
-        """Say whose fault a frame's score is; None takes it back."""
+        """Set who caused a frame's low score; None removes the verdict."""
         if self.database is not None:
             self.database.set_verdict(frame, source, fault, comment, place=place)
             self.statusChanged.emit(frame)
@@ -304,7 +305,7 @@ class ReviewState(QObject):
             self.database.last_frame = frame
 
     def note_activity(self) -> None:
-        """A hand moved: the time since the last move was work, unless it was a long pause."""
+        """Count the time since the last activity as work, unless it was a long pause."""
         now = self._clock()
         if self._last_activity is not None:
             self._seconds += max(0.0, min(now - self._last_activity, IDLE_S))

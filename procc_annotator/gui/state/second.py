@@ -28,7 +28,7 @@ _Read = tuple[FileSource, AnnotationFiles]
 
 
 class SecondAnnotator(QObject):
-    """What another person clicked in the same frames.
+    """Annotations of a second annotator in the same frames.
 
     Attributes:
         annotation: theirs of the frame on screen; None if absent, or none to be read.

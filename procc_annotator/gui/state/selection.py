@@ -86,15 +86,15 @@ def class_that_fits(
 
 
 def without_points(selection: ChosenElement) -> ChosenElement:
-    """The same element, none of its points."""
+    """Return a selection without its points."""
     return replace(selection, point=None, points=frozenset())
 
 
 def that_survives(
     selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
 ) -> ChosenElement:
-    """Return what stays chosen when an annotation becomes another one; an element whose points
-    changed is not continued by clicks.
+    """Return the selection after an annotation has changed; clicks do not continue an element
+    whose points changed.
 
     Args:
         selection: of before.

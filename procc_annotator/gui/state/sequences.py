@@ -1,4 +1,4 @@
-"""Whether the frames of the open dataset follow one another, found out next to."""
+"""Consecutive frames of the open dataset, and which frames are annotated."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ class AnnotatedIndices(QObject):
         store.events.framesEdited.connect(self._note)
 
     def set_wanted(self, wanted: bool) -> None:
-        """Whether a person wants them from now on."""
+        """Compute them from now on, or stop."""
         self._read.set_enabled(wanted)
 
     @property
     def indices(self) -> frozenset[int]:
-        """Those known so far."""
+        """The indices known so far."""
         found = set(self._read.value or ())
         found -= {index for index, annotated in self._edited.items() if not annotated}
         return frozenset(found.union(i for i, annotated in self._edited.items() if annotated))

@@ -57,7 +57,7 @@ class ChosenElement:
 
 @dataclass(frozen=True, slots=True)
 class HandOptions:
-    """How the user works: what clicks do."""
+    """Options of drawing and editing."""
 
     snapping: bool = True
     pinned: bool = True

@@ -142,7 +142,7 @@ def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, nam
 def _add_remedies(
     menu: QMenu, document: Document, label_check: LabelCheckCommands | None, name: str
 ) -> None:
-    """What can be done about the findings of an element, the surest first."""
+    """Add remedies for the findings of an element, the surest first."""
     concerned = [f for f in document.label_check.shown if name in f.finding.elements]
     if label_check is None:
         return

@@ -423,7 +423,7 @@ def _calls_palette(event: QKeyEvent) -> bool:
 
 
 class _Entries(RowsModel[Entry]):
-    """What fits, as kind, title, detail and keys; read aloud with all of them."""
+    """Entries as kind, title, detail and keys; screen readers get all of them."""
 
     def __init__(self) -> None:
         super().__init__(("",) * 4)

@@ -76,7 +76,7 @@ class Commands:
         self._document.terms.set_tau(self._document.state.tau + steps * _TAU_STEP)
 
     def set_off_plane(self, choice: str) -> None:
-        """How elements count that a homography cannot project."""
+        """Choose how elements count that a homography cannot project."""
         self._document.terms.set_protocol(off_plane=choice)
 
     # --- comparing sources ----------------------------------------------------------------

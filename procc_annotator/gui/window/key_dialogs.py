@@ -120,7 +120,7 @@ def _gesture_rows() -> list[KeyRow]:
 
 
 class KeyTable(QTableView):
-    """What keys call; shows the rows that hold all the words of a search line."""
+    """Table of keys; shows the rows that hold all the words of a search line."""
 
     def __init__(self, name: str, search: QLineEdit) -> None:
         super().__init__()
@@ -378,7 +378,7 @@ class KeymapDialog(QDialog):
 
 
 class _KeyRows(RowsModel[KeyRow]):
-    """What keys call, their keys, and what else they would call."""
+    """Actions and elements with their keys and clashes."""
 
     def __init__(self) -> None:
         super().__init__((tr("Action or element"), tr("Keys"), ""))

@@ -48,14 +48,16 @@ _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class PaintedText(QWidget):
-    """A text in the room that it has: whatever it says, nothing is laid out anew, and what it is
-    about is painted first."""
+class ElidedLabel(QWidget):
+    """A text that is shortened with dots instead of pushing its neighbours out."""
 
     def __init__(self) -> None:
         super().__init__()
         self._text = ""
-        self._soon = after_paint(self, self.update)
+        self._soon = after_paint(self, self.update)  # what the text is about is painted first
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._long_title: re.Pattern[str] | None = None
+        self._begins_with_title = True
 
     def text(self) -> str:
         """All of it."""
@@ -68,18 +70,8 @@ class PaintedText(QWidget):
             self.setAccessibleName(text)
             self._soon.start()
 
-
-class ElidedLabel(PaintedText):
-    """A text that is shortened with dots instead of pushing its neighbours out."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._long_title: re.Pattern[str] | None = None
-        self._begins_with_title = True
-
     def show_line(self, message: str, hint: str) -> None:
-        """What just happened, and before what the next click does; either may be empty."""
+        """Show what just happened and what the next click does; either may be empty."""
         self._begins_with_title = not (message and hint)
         self.set_text(MESSAGE_END.join(filter(None, (message, hint))))
         self.setToolTip(self.text())
@@ -149,7 +141,7 @@ def _most(widths: Sequence[int], room: int) -> int:
     return max(widths, default=0)
 
 
-class Readout(PaintedText):
+class Readout(QLabel):
     """A text that changes with every move of the mouse, in fixed room."""
 
     def __init__(self, name: str, widest: str) -> None:
@@ -157,6 +149,7 @@ class Readout(PaintedText):
         self.setObjectName(name)
         self._widest = widest
         self.setFont(fixed_width(self.font()))
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._make_room()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -167,12 +160,6 @@ class Readout(PaintedText):
     def _make_room(self) -> None:
         metrics = self.fontMetrics()
         self.setFixedSize(metrics.horizontalAdvance(self._widest), metrics.height() + 2)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setPen(self.palette().windowText().color())
-        edge = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(self.rect(), edge, self._text)
 
 
 class SteadyLabel(QLabel):
@@ -255,7 +242,7 @@ class StatusLine(QStatusBar):
         self._just_told.setSingleShot(True)
 
     def set_hint(self, text: str) -> None:
-        """What the next click, Enter and Esc will do; stands after the message that is shown."""
+        """Set what the next click, Enter and Esc do; shown after the message."""
         self._hint = text
         if self._message_timer.isActive():
             self._show_message()
@@ -282,24 +269,24 @@ class StatusLine(QStatusBar):
     def set_cursor(
         self, px: tuple[float, float] | None, metres: tuple[float, float] | None
     ) -> None:
-        """Where the cursor is; None when it is nowhere."""
-        self.pixels.set_text("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
-        self.metres.set_text("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+        """Show the cursor's position; None outside the picture."""
+        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
+        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
 
     def set_disagreement(self, shown: bool, apart: tuple[float, float] | None) -> None:
         """Metres and px between two cameras at the cursor; takes no room unless it is shown."""
         if self.apart.isHidden() == shown:
             self.apart.setVisible(shown)
-        self.apart.set_text("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
+        self.apart.setText("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
 
     def set_uncertainty(self, shown: bool, metres: float | None) -> None:
         """Standard deviation on the ground at the cursor; takes no room unless it is shown."""
         if self.good_to.isHidden() == shown:
             self.good_to.setVisible(shown)
-        self.good_to.set_text("" if metres is None else tr(_GROUND, metres=metres))
+        self.good_to.setText("" if metres is None else tr(_GROUND, metres=metres))
 
     def set_work(self, text: str, tip: str = "") -> None:
-        """What goes on in the background; empty when nothing does."""
+        """Show the background work; empty for none."""
         self.work.setText(text)
         self.work.setToolTip(tip)
 
@@ -335,21 +322,21 @@ class StatusReport(QObject):
         self._show_titles()
 
     def _show_titles(self) -> None:
-        """What elements are called, which hints and messages name."""
+        """Pass on the titles of elements, which hints and messages contain."""
         self._status.hint.set_titles(tr(e.title) for e in self._document.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
-        """How far the scores of the set are; nothing once they are all there."""
+        """Show the progress of scoring the set; nothing when it is complete."""
         text = tr("scoring {done:,} / {total:,}", done=done, total=total) if done < total else ""
         self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_comparing(self, done: int, total: int) -> None:
-        """How far the comparison of two sources is; nothing once it is over."""
+        """Show the progress of comparing two sources; nothing when it is over."""
         text = tr("comparing {done:,} / {total:,}", done=done, total=total) if total else ""
         self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_ghosts(self, done: int, total: int) -> None:
-        """How far the look along all ghosts is; nothing once it is over."""
+        """Show the progress of checking all ghosts; nothing when it is over."""
         text = tr("ghosts {done:,} / {total:,}", done=done, total=total) if total else ""
         self._status.set_work(text, tr("Esc ends it"))
 

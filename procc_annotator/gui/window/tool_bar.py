@@ -75,7 +75,7 @@ class IconButton(QToolButton):
         return self._key
 
     def set_with_key(self, with_key: bool) -> None:
-        """Whether the key is shown; without it the button is less high."""
+        """Show or hide the key; without it the button is less high."""
         if with_key != self._with_key:
             self._with_key, self._hint = with_key, None
             self.updateGeometry()
@@ -151,7 +151,7 @@ class IconButton(QToolButton):
             self.update()
 
     def _take_words(self) -> None:
-        """What it is called, once what was done is painted."""
+        """Update name and tip, after the canvas was painted."""
         action, _ = self._of
         words = action.text().replace("&&", "&")
         self.setAccessibleName(words)
@@ -238,7 +238,7 @@ class SideToolBar(QToolBar):
         self._add_looks()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where there is no room for all of them, the keys go rather than buttons."""
+        """Hide the keys if there is no room for all buttons with them."""
         super().resizeEvent(event)
         buttons = self.findChildren(IconButton)
         needed = sum(button.height_with_key() + _BETWEEN for button in buttons) + _REST

@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QFontMetrics, QKeySequence, QPainter, QPaintEvent
+from PySide6.QtGui import QAction, QColor, QKeySequence, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -30,7 +30,7 @@ from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.status import ElidedLabel, IsolatedRow, PaintedText, SteadyLabel
+from procc_annotator.gui.window.status import ElidedLabel, IsolatedRow, SteadyLabel
 from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.translation import tr, tr_count, word
 
@@ -175,22 +175,18 @@ class CameraBar(QWidget):
 
 
 _SAVED_PAD = 4
-_ALARM_PAD = 6
 
 
-class SaveState(PaintedText):
-    """Says so in a word or two; what is not saved stands out.
-
-    With every click the words change twice, and nothing is laid out anew for that.
-    """
+class SaveState(QLabel):
+    """Says so in a word or two; what is not saved stands out."""
 
     def __init__(self, document: Document) -> None:
         super().__init__()
         self.setObjectName("savedState")
         self.setFont(fixed_width(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.setMargin(_SAVED_PAD)
+        self.setBackgroundRole(QPalette.ColorRole.Window)  # not that of a tool bar
         self._document, self._alarm = document, False
-        self._asked_for = QSize()
         store = document.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
         document.saver.begun.connect(self._show)
@@ -199,49 +195,28 @@ class SaveState(PaintedText):
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
         """Show some words, with all of it in the tip."""
-        if tip != self.toolTip():
-            self.setToolTip(tip)
-        if (text, alarm) == (self.text(), self._alarm):
-            return
-        self._alarm = alarm
-        self.set_text(text)
-        before, self._asked_for = self._asked_for, self.sizeHint()
-        if before != self._asked_for:
-            self.updateGeometry()
+        self.setToolTip(tip)
+        self.setText(text)
+        if alarm != self._alarm:
+            self._alarm = alarm
+            colours, font = QPalette(), self.font()
+            if alarm:
+                roles = (QPalette.ColorRole.Window, QPalette.ColorRole.WindowText)
+                for role, tone in zip(roles, alarm_colours(self.palette()), strict=True):
+                    colours.setColor(role, QColor(tone))
+            font.setBold(alarm)
+            self.setPalette(colours)
+            self.setFont(font)
+            self.setAutoFillBackground(alarm)
 
     def minimumSizeHint(self) -> QSize:
         """Room for the usual words, so that neighbours stay where they are."""
-        metrics = self._metrics()
         words = tr("saved {time}", time="00:00:00")
         usual = self.fontMetrics().horizontalAdvance(words) + 2 * _SAVED_PAD
-        said = metrics.horizontalAdvance(self.text()) + 2 * self._pad
-        return QSize(max(usual, said), metrics.height() + 2 * _SAVED_PAD)
+        return super().minimumSizeHint().expandedTo(QSize(usual, 0))
 
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, area = QPainter(self), self.rect()
-        colour = self.palette().windowText().color()
-        if self._alarm:
-            ground, text = alarm_colours(self.palette())
-            painter.fillRect(area, QColor(ground))
-            painter.setFont(fixed_width(self.font(), bold=True))
-            colour = QColor(text)
-        painter.setPen(colour)
-        edge = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(
-            area.adjusted(self._pad, _SAVED_PAD, -self._pad, -_SAVED_PAD), edge, self.text()
-        )
-
-    @property
-    def _pad(self) -> int:
-        return _ALARM_PAD if self._alarm else _SAVED_PAD
-
-    def _metrics(self) -> QFontMetrics:
-        if not self._alarm:
-            return self.fontMetrics()
-        return QFontMetrics(fixed_width(self.font(), bold=True))
 
     def _show(self) -> None:
         saver = self._document.saver
@@ -437,7 +412,7 @@ class TopBar(QToolBar):
         self._show_status()
 
     def _show_dataset(self) -> None:
-        """What is open, and the sport it is of."""
+        """Show the dataset and its sport."""
         workspace, field = self._document.state.workspace, self._document.state.field
         name = workspace.root.name if workspace is not None else ""
         self.chip.set_words(" · ".join(filter(None, (name, tr(field.title)))))

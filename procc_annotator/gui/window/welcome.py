@@ -1,4 +1,4 @@
-"""What the window shows while nothing is open, and what was opened last, to go on with."""
+"""The start page: ways to open a dataset, and those opened last."""
 
 from __future__ import annotations
 

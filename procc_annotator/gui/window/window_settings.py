@@ -28,7 +28,7 @@ _CHOICES = {
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where a setting lives in the window; one that an action sets is not put by itself."""
+    """Getter and setter of a setting; the setter is empty if an action sets it."""
 
     get: Callable[[], Any]
     put: Callable[[Any], object] = lambda value: None

@@ -58,7 +58,7 @@ _DRAWER_HEIGHT = 0.38  # of the window's height
 
 @dataclass(frozen=True, slots=True)
 class _Look:
-    """How a workspace was left.
+    """Open docks and sizes of a workspace.
 
     Attributes:
         open: its docks that are not closed.

@@ -1,4 +1,4 @@
-"""What the program clicks for the annotator, in the background: regularising and copying."""
+"""Points placed for the annotator in the background: regularising and copying."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _with_unconfirmed(words: str, count: int) -> str:
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What each element was made from, and what it became."""
+    """The elements before and after the edit."""
 
     pairs: tuple[tuple[Polyline, Regularised], ...]
 

@@ -33,7 +33,7 @@ from procc_annotator.translation import tr, tr_count, translatable, translatable
 
 
 class ElementEdits:
-    """What can be done to the selected element, its chosen point, or all unconfirmed elements.
+    """Edits of the selected element, its chosen point, or all unconfirmed elements.
 
     Whatever changes an unconfirmed element confirms it: the user has decided where it is.
     """

@@ -211,7 +211,7 @@ class GhostAccepting(QObject):
         )
 
     def why_outdated(self, made_for: FrameAnalysis) -> str:
-        """Why an insight is not the one on screen any more; empty while it is."""
+        """Return why an insight is not the one on screen any more; empty while it is."""
         document = self._document
         if document.ghosts.insight is made_for:
             return ""
@@ -283,7 +283,7 @@ class GhostAccepting(QObject):
         return True
 
     def finish(self) -> None:
-        """What was accepted is done before anything else is: wait for the points."""
+        """Wait for the points of accepted ghosts before anything else is done."""
         asked = self._asked
         if asked is None:
             return
@@ -309,7 +309,7 @@ class GhostAccepting(QObject):
         self._document.say(one or tr("{element} is not accepted", element=title), level)
 
     def _look(self) -> None:
-        """What is looked for may belong to clicks, a field or a model that are not there now."""
+        """Drop a search whose clicks, field or model are no longer there."""
         if self._asked is not None and (outdated := self.why_outdated(self._asked.made_for)):
             self.drop(outdated)
 

@@ -24,7 +24,7 @@ _CHOOSE_FIRST = word("go to a ghost (Tab) or choose an element first")
 
 @dataclass(frozen=True)
 class _Before:
-    """What the walk began from."""
+    """The view and selection that the walk began from."""
 
     place: ViewPlace
     selected: str | None
@@ -72,7 +72,7 @@ class GhostTasks(QObject):
         self._canvas.focusNextPrevChild(True)
 
     def _why_none(self) -> str:
-        """Why there is no ghost to go to or to accept; empty if there is one."""
+        """Return why there is no ghost to go to or to accept; empty if there is one."""
         foresight, insight = self._document.foresight, self._ghosts.insight
         if self._document.state.frame is None:
             return tr("open a folder of pictures first")
@@ -105,7 +105,7 @@ class GhostTasks(QObject):
         )
 
     def _why_off(self) -> str:
-        """Why no ghosts are shown, whatever the clicks say; empty if they are."""
+        """Return why no ghosts are shown, whatever the clicks say; empty if they are."""
         live_fit = self._document.live_fit
         if barred := self._document.blind_lock.no_fit:
             return tr("no ghosts: {why}", why=barred)

@@ -18,7 +18,7 @@ from procc_annotator.translation import tr
 
 
 class FieldBar(Bar):
-    """Why the field on screen may be the wrong one, or why its file cannot be used."""
+    """Shows why the field may be the wrong one, or why its file cannot be used."""
 
     switch_chosen = Signal()
     left = Signal()

@@ -56,7 +56,7 @@ _Row = tuple[str, str, str]
 
 @dataclass(frozen=True)
 class Preview:
-    """What a pattern makes of the frames of a dataset, ready to be shown.
+    """The groups that a pattern gives for the frames of a dataset.
 
     Attributes:
         groups: of the frames that fit it.
@@ -358,7 +358,7 @@ def _preview(names: tuple[str, ...], pattern: str) -> Preview:
 
 
 def _nothing(names: tuple[str, ...]) -> Preview:
-    """Of no pattern: the names, which anyone who writes one wants to see."""
+    """Return the names without groups, for an empty pattern."""
     rows = Preview.of(NamedViews(ViewGroups(), names)).rows
     counts = tr_count(len(names), "{n:,} frame, none grouped.", "{n:,} frames, none grouped.")
     return Preview(ViewGroups(), rows, counts=counts)

@@ -354,7 +354,7 @@ class Exporter:
         return active.files if active is not None else None
 
     def _why_none_scored(self) -> str:
-        """Why no JaC can be exported; empty if it can."""
+        """Return why no JaC can be exported; empty if it can."""
         active = self._document.state.active
         if active is None:
             return tr("load cameras first: there is nothing to score")

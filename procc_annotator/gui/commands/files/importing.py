@@ -50,7 +50,7 @@ _HEAD = ("What the labels of other programs stand for; chosen at an import.",)  
 
 @dataclass(frozen=True)
 class LookedAt:
-    """What was read, and what is proposed for labels of it that are no class.
+    """The annotations that were read, and proposals for labels that are no class.
 
     Attributes:
         found: by the dataset's own map, if it has one.

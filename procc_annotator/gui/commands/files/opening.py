@@ -39,7 +39,7 @@ class RememberedSource:
 
 @dataclass(frozen=True, eq=False)
 class _Reopened:
-    """What became of the sources of a dataset."""
+    """The reopened sources of a dataset, and those that failed."""
 
     found: list[tuple[RememberedSource, CameraSet]]
     lost: list[str]

@@ -34,7 +34,7 @@ from procc_annotator.translation import tr, tr_count
 
 @dataclass(frozen=True, eq=False)
 class _Asked:
-    """What is to be followed.
+    """A request to follow a shot.
 
     Attributes:
         stadium: of the shot; None where its field has no dimensions of its own.

@@ -149,7 +149,7 @@ class SourceRow(QFrame):
         self, *, active: bool, jac: str, jac_tip: str, model: str, matched: str, matched_tip: str,
         problem: str,
     ) -> None:  # fmt: skip
-        """How the source does, in words."""
+        """Show the score, model and matches of the source."""
         if active != self._active:
             self._active = active
             self.update()

@@ -342,7 +342,7 @@ class FieldMapPanel(QWidget):
                 paint_finding_sign(painter, box, found[0].finding.severity)
 
     def _paint_dimensions(self, painter: QPainter) -> None:
-        """What of the field is its own, above it."""
+        """Paint the field's own dimensions above it."""
         text = self._document.state.field.own_terms
         if not text:
             return

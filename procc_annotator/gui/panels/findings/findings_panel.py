@@ -1,4 +1,4 @@
-"""What the label check found, as a list to walk through and to fix from."""
+"""The findings of the label check, as a list to walk through and to fix from."""
 
 from __future__ import annotations
 
@@ -290,7 +290,7 @@ class FindingsPanel(QWidget):
         self._following = False
 
     def _show_note(self, words: str, whole_set: bool) -> None:
-        """What limits the list, and how to see what is ignored."""
+        """Show what limits the list, and how to see ignored findings."""
         notes = [escape(words)] if words else []
         ignored = 0 if whole_set else self._check.known.ignored_here()
         if ignored:
@@ -401,7 +401,7 @@ class WrappingButton(QPushButton):
         self.clicked.connect(lambda: self._do() if self._do is not None else None)
 
     def offer(self, text: str, tip: str, do: Callable[[], None]) -> None:
-        """What the button says and does from now on."""
+        """Set the text and the action of the button."""
         self._whole, self._do = text, do
         self.setAccessibleName(text)
         self.setToolTip(tip)

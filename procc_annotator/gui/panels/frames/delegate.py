@@ -26,7 +26,7 @@ def indent(depth: int) -> int:
 def paint_folder(
     painter: QPainter, box: QRect, info: FolderInfo, font: QFont, text: QColor, quiet: QColor
 ) -> None:
-    """Whether it is folded, its name, how many frames are in it and done, their mean JaC."""
+    """Paint its arrow, its name, its numbers of frames, their mean JaC."""
     box = box.adjusted(indent(info.depth), 0, 0, 0)
     _paint_sign(painter, QRectF(box.left(), box.top(), _SIGN, box.height() / 2), info.folded, text)
     box = box.adjusted(_SIGN + 4, 0, 0, 0)

@@ -32,7 +32,7 @@ _DONE = frozenset({Status.DONE, Status.APPROVED})
 
 
 class FolderFigures(QObject):
-    """What is known of the frames, by number; `changed` says that it is another thing now."""
+    """Status and score of the frames, by number; `changed` when they differ."""
 
     changed = Signal()
 
@@ -97,7 +97,7 @@ _MAX_WAITING = 60  # rows on a large screen; others were only scrolled past
 
 @dataclass(frozen=True, slots=True)
 class RowInfo:
-    """What a row shows. ``count`` is None until known; ``thumbnail`` as in `Thumbnails.image`."""
+    """Contents of a row. ``count`` is None until known; ``thumbnail`` as in `Thumbnails.image`."""
 
     name: str
     thumbnail: QImage | None
@@ -115,7 +115,7 @@ class RowInfo:
 
 @dataclass(frozen=True, slots=True)
 class FolderInfo:
-    """What the row of a folder shows. ``shown`` of its ``frames`` are let through by the filter."""
+    """Contents of a folder's row. ``shown`` of its ``frames`` pass the filter."""
 
     label: str
     depth: int

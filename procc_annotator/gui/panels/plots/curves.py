@@ -273,7 +273,7 @@ class TimelinePage(PlotPage[Timelines]):
 
 
 def _nothing(request: PlotRequest) -> str:
-    """Why there is no curve."""
+    """Return why there is no curve."""
     if request.scope == "frame":
         return tr("No score of this frame: it is not annotated, or no shown source has its camera.")
     return tr("No scores yet. They are computed in the background, frame by frame.")

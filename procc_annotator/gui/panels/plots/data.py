@@ -1,4 +1,4 @@
-"""What plots are made of: the shown sources with their audits, as blind mode allows."""
+"""Data of plots: the visible sources with their audits, as blind mode allows."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class PlottedSource:
 
 @dataclass(frozen=True, eq=False)
 class PlotRequest:
-    """What to plot.
+    """The sources, frames and settings of a plot.
 
     Attributes:
         sources: the visible ones.
@@ -80,7 +80,7 @@ class PlotRequest:
             return None, tr("Shots are told by names, since {error}.", error=error)
 
     def why_nothing(self, otherwise: str) -> str:
-        """Why there is nothing to plot: blind mode, or what else a page says."""
+        """Return why there is nothing to plot: blind mode, or the page's own reason."""
         if not self.blind:
             return otherwise
         if self.scope == "frame":

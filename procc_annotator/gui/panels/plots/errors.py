@@ -36,7 +36,7 @@ class ErrorBars:
 
 
 class HistogramPage(PlotPage[ErrorBars]):
-    """How many points have which error, overall or of one class."""
+    """Histogram of the errors, overall or of one class."""
 
     title = word("Errors, as a histogram")
     by_class = True
@@ -122,7 +122,7 @@ def _count_ticks(highest: int, most: int = 4) -> list[tuple[float, str]]:
 
 
 def no_points(request: PlotRequest) -> str:
-    """Why there is no point to plot."""
+    """Return why there is no point to plot."""
     here = request.scope == "frame"
     if request.class_row is not None and request.class_row < len(request.titles):
         title = tr(request.titles[request.class_row])
@@ -185,7 +185,7 @@ class Vectors:
 
 
 class VectorsPage(PlotPage[Vectors]):
-    """Where in the picture the projection lies next to the clicks, and which way."""
+    """Residuals over the picture, from click to projection."""
 
     title = word("Residuals over the picture")
     by_class = True

@@ -36,7 +36,7 @@ class Items:
         self._used: set[tuple[str, int]] = set()
 
     def start(self) -> None:
-        """What is not taken from here on is hidden by `finish`."""
+        """Begin a drawing; `finish` hides the items that it does not take."""
         self._used.clear()
 
     def take(self, kind: str, number: int, make: Callable[[], Any]) -> Any:

@@ -203,7 +203,7 @@ class PlotsPanel(ExportablePlot):
         self.chooser.setCurrentIndex([kind.title for kind in self._kinds].index(title))
 
     def set_in_sight(self, in_sight: bool) -> None:
-        """Whether the panel is open and no other tab lies over it; else nothing is computed."""
+        """Compute only while the panel is open and no other tab lies over it."""
         self._in_sight = in_sight
         if in_sight:
             self._offer_kinds()

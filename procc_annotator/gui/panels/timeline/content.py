@@ -75,7 +75,7 @@ class Axis:
         return replace(self, width=max(1.0, width))
 
     def zoomed(self, times: float, x: float) -> Axis:
-        """So many times as near, while the frame at a place stays there."""
+        """Return the axis zoomed by a factor around the frame at ``x``."""
         span = min(max((self.end - self.begin) / times, _FEWEST), self.last + 1.0 - self.first)
         at = self.begin + x / self.per_frame
         return self._from(at - x / self.width * span, span)
@@ -107,7 +107,7 @@ _DOT = 2  # px of the screen
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """What is known of the frames of a sequence, by number from the first.
+    """State of the frames of a sequence, by number from the first.
 
     Attributes:
         coverage: (n,) share of the lines on paint, 0 to 1; 0 for a lost frame, NaN where no one
@@ -252,7 +252,7 @@ class StripContent(QObject):
             self._take_down()
 
     def _take_down(self) -> None:
-        """What is known of some frames; of more of them once the event loop has turned."""
+        """Store the state of some frames; more of them when the event loop has turned."""
         sequence = self.sequence
         if sequence is None:
             return

@@ -39,7 +39,7 @@ _STATUSES = {
 
 @dataclass(frozen=True, slots=True)
 class Rows:
-    """Where the rows of a strip begin, px from its top."""
+    """Tops of the rows of a strip, px from its top."""
 
     words: int
     marks: int

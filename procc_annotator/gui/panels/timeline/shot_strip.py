@@ -270,7 +270,7 @@ class ShotStrip(QWidget):
         self.update()
 
     def _go_by_key(self, number: int, far: int, *, marking: bool) -> None:
-        """So many frames on; what is gone over is marked where a person marks."""
+        """Step by frames; with Shift the frames passed are marked."""
         sequence = self.content.sequence
         assert sequence is not None
         index = min(max(sequence.nearest(number) + far, 0), len(sequence.numbers) - 1)

@@ -1,4 +1,4 @@
-"""What is known of the frames of a set by the label check, as far as it may be shown."""
+"""Results of the label check by frame, without what blind mode hides and what was ignored."""
 
 from __future__ import annotations
 

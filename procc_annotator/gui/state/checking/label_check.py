@@ -1,4 +1,4 @@
-"""What the label check found: in the frame on screen after every edit, in others when asked."""
+"""The label check: of the frame on screen after every edit, of the whole set on request."""
 
 from __future__ import annotations
 

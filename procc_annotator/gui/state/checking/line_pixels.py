@@ -1,4 +1,4 @@
-"""What the picture on screen shows of paint under its annotation, worked out next to."""
+"""Line pixels of the picture along the annotated elements, found in the background."""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ _KEPT = 8
 
 
 class PaintWatch(ComputedValue[Evidence]):
-    """Of the picture alone, so that blind mode may see it; an element that did not change is not
-    examined again.
+    """Line pixels along each element; from the picture alone, so that blind mode may show them.
+
+    An element that did not change is not examined again.
 
     Attributes:
         shown: whether a person wants to see it next to the annotation; findings go by it anyway.
@@ -68,7 +69,7 @@ class PaintWatch(ComputedValue[Evidence]):
         *,
         go_on: Callable[[], None],
     ) -> Evidence:
-        """In a thread, one at a time."""
+        """Find line pixels; runs in a thread, one at a time."""
         of, before = (picture, field), self._before
         known = before[1] if before is not None and same(before[0], of) else None
         found = line_evidence(annotation, picture, field, known, go_on)

@@ -28,7 +28,7 @@ EditFrame = Callable[[int], str]
 
 @dataclass
 class EditedFrames:
-    """What became of the frames.
+    """The outcome of editing several frames.
 
     Attributes:
         total: how many were to be edited.

@@ -1,4 +1,4 @@
-"""Who is editing which frame: locks of the frame on screen, kept alive and examined again."""
+"""The lock of the frame on screen: acquired before an edit, renewed, checked for other editors."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class Presence(QObject):
         return self._owned
 
     def still_owned(self) -> bool:
-        """As `owned`, after one look whether a person cleared the lock away: then it is not."""
+        """As `owned`, after checking that the lock file was not removed."""
         if self._locks is None or self._frame is None or not self._owned:
             return self._owned
         if not self._locks.is_there(self._frame):

@@ -20,7 +20,7 @@ RETRY_MS = 5000
 
 @dataclass(frozen=True, slots=True)
 class _Writing:
-    """What is being written."""
+    """A save in progress."""
 
     frames: frozenset[int]
     job: Job
@@ -80,8 +80,8 @@ class Saver(QObject):
         return self._writing is not None or bool(self._again)
 
     def save_soon(self, index: int) -> None:
-        """As `save_behind`, begun once what is to be painted was painted: the thread that writes
-        would take the interpreter from the paint."""
+        """As `save_behind`, after the next paint: the writing thread would take the interpreter
+        from it."""
         if self.under_way:
             self._again.add(index)
         elif self._has_changes(index):
@@ -218,7 +218,7 @@ class Saver(QObject):
             self._write_again()
 
     def _write_again(self) -> None:
-        """What was edited while others, or itself, were written."""
+        """Write the frames that were edited during the last save."""
         again, self._again = self._again, set()
         for index in sorted(again):
             self.save_behind(index)

@@ -175,7 +175,7 @@ class FieldChoice(QObject):
         self._start("choose", work, self.take)
 
     def take(self, field: Field) -> None:
-        """The same with a field that is loaded already."""
+        """As `choose`, with a field that is loaded."""
         if not self._may_choose(field.source):
             return
         before, self.problem = self.problem, ""
@@ -250,8 +250,7 @@ class FieldChoice(QObject):
             say(self._store, tr("no other field knows the classes here better"))
 
     def leave(self) -> None:
-        """It is not the field that is asked about, and that is kept; or say nothing more of these
-        classes."""
+        """Decline the proposed field, and remember it; or ignore these classes."""
         if self.question is None and self.mismatch is None:
             return
         self._skipped_frames.add(

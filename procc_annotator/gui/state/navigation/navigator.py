@@ -70,8 +70,8 @@ class FrameWalk(QObject):
             self._outside.look()
 
     def come_to(self, index: int) -> None:
-        """As `go_to`, once the picture is decoded, so that a user who pages along many frames
-        waits for none of them: of those asked for meanwhile only the last is come to."""
+        """As `go_to`, once the picture is decoded: paging through many frames waits for none of
+        them, and only the last requested one is shown."""
         workspace = self._store.state.workspace
         if workspace is None or not 0 <= index < len(workspace.frames):
             return

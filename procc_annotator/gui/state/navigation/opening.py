@@ -128,7 +128,7 @@ class Opening(QObject):
 
 
 def _unwritable(workspace: Workspace) -> Iterator[str]:
-    """That nothing can be saved, said before anyone has worked for nothing."""
+    """Return a warning that nothing can be saved here; shown before any work is done."""
     folder = workspace.frames[0].annotation_folder if workspace.frames else workspace.folder
     if folder.is_dir() and not os.access(folder, os.W_OK):
         yield tr(

@@ -1,4 +1,4 @@
-"""What the elements that are missing in the frame on screen follow from.
+"""The camera that predictions (ghosts, suggestions, the map) follow.
 
 That is the camera fitted to the clicks. As long as these give none, or agree with a camera that was
 found without clicks and knows more elements, that one stands in for it: the camera of the track if

@@ -153,7 +153,7 @@ class FitSource(QObject):
             self._sources.show_source_again(self.source)
 
     def _note_choice(self) -> None:
-        """Anyone who chooses another source, or this one, means it to stay so."""
+        """Remember whether the user chose the fit or another source."""
         was_listed, judged = self._seen
         self._seen = now_listed, active = self.listed, self._store.state.active
         if was_listed and now_listed and active is not judged:

@@ -31,7 +31,8 @@ _STAYED_MS = 80  # a frame that is left sooner was only passed: no fit slows the
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """What was found in a frame, and what the fit shows of it under the terms of then."""
+    """A fit of a frame with what follows from it, and its projection under the settings it was made
+    with."""
 
     insight: FrameAnalysis
     frame: str
@@ -42,8 +43,7 @@ class Fitted:
 
 @dataclass(eq=False, slots=True)
 class _Terms:
-    """What a fit takes along that makes it no other one: where its search begins, and under which
-    terms it is shown."""
+    """Settings that do not identify a fit: its start camera, and the setup of its projection."""
 
     setup: EvaluationSetup
     start: Camera | None = None

@@ -1,4 +1,4 @@
-"""Cameras that a person corrected by hand, frame by frame, and what became of them on paint."""
+"""Cameras proposed from the picture, and cameras corrected by hand, per frame."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class Proposals(QObject):
         return self.allowed_in(self._store.state.frame_name)
 
     def allowed_in(self, frame: str | None) -> bool:
-        """The same of any frame, by its name."""
+        """As `allowed`, for any frame by name."""
         return self._store.state.reveals(frame) and self._blind_lock.lock is None
 
     @property
@@ -135,7 +135,7 @@ class Proposals(QObject):
             return False
 
     def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
-        """In a thread."""
+        """Propose a camera; runs in a thread."""
         go_on()
         field = field_for_frame(field, frame.name)
         found = propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
@@ -164,7 +164,7 @@ class Corrections(QObject):
 
     @property
     def here(self) -> CameraCorrection | None:
-        """That of the frame on screen; None if absent, and while it is to be hidden."""
+        """The correction of the frame on screen; None if there is none or it is hidden."""
         state = self._store.state
         if state.frame_name is None or not self._proposals.allowed:
             return None

@@ -19,7 +19,7 @@ from procc_annotator.interaction.palette import TRACK
 
 
 class ShotTrack(QObject):
-    """What was followed, by number in the sequence; as a camera source, by frame name.
+    """Tracked cameras by number in the sequence; also a camera source, by frame name.
 
     Attributes:
         tracked: number -> the frame.

@@ -25,14 +25,14 @@ from procc_annotator.translation import tr
 
 
 class KeptVerdicts:
-    """What is kept of sources from files; fits change with the clicks."""
+    """Verdicts on camera sources from files; fits change with the clicks and have none."""
 
     def __init__(self, store: Store, review: ReviewState) -> None:
         self._store, self._review = store, review
 
     def shown_verdict(self, name: str) -> FaultParty | None:
-        """Return whose fault a frame's score is under the active source; None while blind mode
-        hides what is known of the camera there."""
+        """Return who caused a frame's low score with the active source; None while blind mode hides
+        it."""
         source = self._store.state.active
         if source is None or not self._store.state.reveals(name):
             return None
@@ -40,8 +40,8 @@ class KeptVerdicts:
         return None if verdict is None else verdict.fault
 
     def verdict(self, name: str, source: CameraSource) -> Verdict | None:
-        """Return whose fault a frame's score is under a source, also where blind mode hides it;
-        None for fits."""
+        """Return the verdict on a frame with a source, also if blind mode hides it; None for
+        fits."""
         if source.files is None:
             return None
         return self._review.verdict(name, source.name, self.place(source))
@@ -49,7 +49,7 @@ class KeptVerdicts:
     def set_verdict(
         self, name: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
     ) -> None:
-        """Say whose fault a frame's score is under a source from files; None takes it back."""
+        """Set the verdict on a frame with a source from files; None removes it."""
         if source.files is not None:
             self._review.set_verdict(name, source.name, self.place(source), fault, comment)
 
@@ -211,7 +211,7 @@ class Sources(QObject):
         self._show_looks()
 
     def set_source_visible(self, source: CameraSource, visible: bool) -> None:
-        """Whether a source is drawn next to the active one."""
+        """Draw a source beside the active one, or do not."""
         source.visible = visible
         self._show_looks()
 

@@ -1,4 +1,4 @@
-"""Keeps in step with the state what is looked up of the frame and audited of the set."""
+"""Scores of all frames of the dataset with every camera source, kept current with the state."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def scores_of(state: State) -> FrameScores:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Outcome:
-    """What became of one frame under one source."""
+    """The audit of one frame with one source."""
 
     source: CameraSource
     frame: str
@@ -347,7 +347,7 @@ class Auditing(QObject):
         return self._soon.isActive()
 
     def settle(self) -> None:
-        """What waits for the paint is done now: it came, or the frame on screen is left."""
+        """Do now what waits for the paint: it came, or the frame on screen is left."""
         self._soon.stop()
         edited, self._edited = self._edited, False
         refitted, self._refitted = self._refitted, {}
@@ -414,7 +414,7 @@ class Auditing(QObject):
 
     @property
     def _measured(self) -> Measurement | None:
-        """Of the finished annotation, whatever gesture is under way."""
+        """The measurement of the annotation without a gesture in progress."""
         state, projected = self._store.state, self._judge.shown.projected
         if projected is None or state.preview is None:
             return self._judge.judged[0]

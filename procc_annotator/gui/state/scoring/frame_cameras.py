@@ -1,4 +1,4 @@
-"""What every camera source shows of the frame on screen, read and projected in the background."""
+"""Cameras and projections of every source in the frame on screen, computed in the background."""
 
 from __future__ import annotations
 

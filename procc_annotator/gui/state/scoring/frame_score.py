@@ -78,7 +78,7 @@ class Judge:
 
 
 class SecondOpinion:
-    """How a camera agrees with the clicks, measured when a person asks."""
+    """The measurement and score of a camera, computed at access."""
 
     def __init__(self) -> None:
         self._asked: tuple[object, ...] = ()
