@@ -274,8 +274,10 @@ class OverlayItem(QGraphicsItem):
                 painter, layers[:-1], scale=scale, offset=offset, clip=clip, room=room, seen=seen,
                 lines_only=True,
             )  # fmt: skip
-            above = [Overlay((), layer.marks, layer.labels) for layer in layers]
-            layers = Overlay(self.gesture.strokes, (), ()), *above
+            marks = chain.from_iterable(layer.marks for layer in layers)
+            texts = chain.from_iterable(layer.labels for layer in layers[:-1])
+            above = Overlay(self.gesture.strokes, tuple(marks), tuple(texts))
+            layers = above, Overlay((), (), self.gesture.labels)
         for layer in layers:
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still
