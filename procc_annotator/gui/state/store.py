@@ -217,7 +217,7 @@ class Store(QObject):
         if len(errors) == 1:
             raise errors[0]
         if errors:
-            raise ExceptionGroup("several callbacks failed", errors)
+            raise ExceptionGroup("several callbacks failed", errors)  # not shown
 
     def _end_round(self) -> None:
         self._notifying = False
