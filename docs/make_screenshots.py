@@ -96,8 +96,8 @@ def click(window: MainWindow, x: float, y: float) -> None:
 
 def audit(window: MainWindow, dataset: Path) -> None:
     """A mediocre camera judged against the clicks."""
-    window.document.camera_sources.load_cameras(dataset / "cameras" / "bad")
-    window.document.walk.go_to(1)
+    window.services.camera_sources.load_cameras(dataset / "cameras" / "bad")
+    window.services.navigator.go_to(1)
     window.panels.show("scores")
     wait(2500)
     take(window, "audit")
@@ -111,8 +111,8 @@ def other_sport(folder: Path) -> None:
     window = build_window(dataset)
     window.resize(*SIZE)
     window.show()
-    window.document.camera_sources.load_cameras(dataset / "cameras" / "late")
-    window.document.walk.go_to(1)
+    window.services.camera_sources.load_cameras(dataset / "cameras" / "late")
+    window.services.navigator.go_to(1)
     window.panels.show("scores")
     wait(2500)
     take(window, "basketball")
@@ -121,9 +121,9 @@ def other_sport(folder: Path) -> None:
 
 def annotate(window: MainWindow, dataset: Path) -> None:
     """An element being clicked."""
-    document = window.document
-    document.camera_sources.remove_camera_set(0)
-    document.walk.go_to(4)
+    services = window.services
+    services.camera_sources.remove_camera_set(0)
+    services.navigator.go_to(4)
     window.panels.show("elements")
     truth = CameraSet.open(dataset / "cameras" / "true").camera("00005", (960, 540))
     assert truth is not None
@@ -132,11 +132,11 @@ def annotate(window: MainWindow, dataset: Path) -> None:
         px, _ = truth.camera.project(np.array([(x, y, 0.0) for x, y in points_world]))
         return (px * (1279 / 959, 719 / 539)).tolist()
 
-    document.selecting.select_class("Big rect. right main")
+    services.selection.select_class("Big rect. right main")
     for x, y in seen([(36, -20.16), (36, -6), (36, 6)]):
         click(window, x, y)
     QTest.keyClick(window.canvas, Qt.Key.Key_Return)
-    document.selecting.select_class("Circle right")
+    services.selection.select_class("Circle right")
     wait(300)
     for x, y in seen([(41.5 + 9.15 * np.cos(a), 9.15 * np.sin(a)) for a in (4.0, 3.7, 3.4, 3.1)]):
         click(window, x, y)
@@ -155,8 +155,8 @@ def copy(folder: Path, dataset: Path) -> None:
     for name, left in (("00001", 0), ("00002", shift)):
         cv2.imwrite(str(panned / f"{name}.jpg"), picture[:, left : left + part])
     window = build_window(dataset)
-    source = window.document
-    source.walk.go_to(1)
+    source = window.services
+    source.navigator.go_to(1)
     polylines = source.state.annotation.polylines
     first = [p for p in polylines if max(q.u for q in p.points) < part / width]
     scale = (width - 1) / (part - 1)
@@ -166,10 +166,10 @@ def copy(folder: Path, dataset: Path) -> None:
     window.resize(*SIZE)
     window.show()
     wait(600)
-    source.walk.go_to(1)
+    source.navigator.go_to(1)
     window.assistant.copy_from_previous()
     wait(900)
-    source.selecting.set_mode("edit")
+    source.selection.set_mode("edit")
     window.actions_["loupe"].trigger()
     waiting = source.state.annotation.get_unconfirmed("Big rect. left main")
     if waiting is None:
@@ -184,8 +184,8 @@ def copy(folder: Path, dataset: Path) -> None:
 
 def review(window: MainWindow, dataset: Path) -> None:
     """Frames filtered by a query, one of them with a thread of comments."""
-    document = window.document
-    document.camera_sources.load_cameras(dataset / "cameras" / "bad")
+    services = window.services
+    services.camera_sources.load_cameras(dataset / "cameras" / "bad")
     wait(1500)
     for number, status in (
         (2, Status.APPROVED),
@@ -196,13 +196,13 @@ def review(window: MainWindow, dataset: Path) -> None:
         (8, Status.REJECTED),
         (11, Status.DONE),
     ):
-        document.review.set_status(f"{number:05d}", status)
-    document.walk.go_to(2)
-    document.selecting.select_class(None)
+        services.review.set_status(f"{number:05d}", status)
+    services.navigator.go_to(2)
+    services.selection.select_class(None)
     window.panels.show("review")
     name = "00003"
-    document.review.add_comment(name, "The far touchline ends before the corner.")
-    document.review.add_comment(name, "The arc sits on the edge of the paint, not its middle.")
+    services.review.add_comment(name, "The far touchline ends before the corner.")
+    services.review.add_comment(name, "The arc sits on the edge of the paint, not its middle.")
     window.frames.filter.setText("state:rejected,done jac5:<0.8")
     wait(800)
     take(window, "review")
@@ -215,10 +215,10 @@ def disagree(folder: Path) -> None:
     window = build_window(dataset)
     window.resize(*SIZE)
     window.show()
-    document = window.document
+    services = window.services
     for name in ("true", "bad"):
-        document.camera_sources.load_cameras(dataset / "cameras" / name)
-    document.walk.go_to(5)
+        services.camera_sources.load_cameras(dataset / "cameras" / name)
+    services.navigator.go_to(5)
     window.panels.show("cameras")
     window.actions_["disagreement"].trigger()
     wait(2500)
@@ -238,12 +238,12 @@ def clicks(folder: Path) -> None:
     window = build_window(dataset)
     window.resize(*SIZE)
     window.show()
-    document = window.document
-    document.walk.go_to(1)
-    annotation = document.state.annotation
+    services = window.services
+    services.navigator.go_to(1)
+    annotation = services.state.annotation
     for name in annotation.annotated[4:]:
         annotation = annotation.without(name)
-    document.editing.commit_edit("four elements", annotation)
+    services.editing.commit_edit("four elements", annotation)
     window.panels.show("fit")
     window.canvas.setFocus()
     wait(2000)
@@ -251,8 +251,8 @@ def clicks(folder: Path) -> None:
     wait(1500)
     take(window, "ghosts")
     QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
-    document.walk.go_to(2)
-    document.selecting.select_class("Side line right")
+    services.navigator.go_to(2)
+    services.selection.select_class("Side line right")
     window.element_edits.change_class("Side line left")
     window.panels.show("findings")
     wait(3000)
@@ -270,10 +270,10 @@ def without_a_click(folder: Path) -> None:
     window = build_window(shot)
     window.resize(*SIZE)
     window.show()
-    document = window.document
-    document.walk.go_to(FRAMES // 6)
+    services = window.services
+    services.navigator.go_to(FRAMES // 6)
     window.panels.show("elements")
-    wait_until(lambda: bool(document.ghosts.painted), "looking for the camera in the picture")
+    wait_until(lambda: bool(services.ghosts.painted), "looking for the camera in the picture")
     wait(1500)
     take(window, "proposal")
     window.canvas.setFocus()
@@ -281,7 +281,7 @@ def without_a_click(folder: Path) -> None:
     wait(1500)
     QTest.keyClick(window.canvas, Qt.Key.Key_T)
     wait_until(lambda: not window.shot_following.running, "following the camera")
-    document.walk.go_to(FRAMES // 3)
+    services.navigator.go_to(FRAMES // 3)
     wait(1500)
     take(window, "strip")
     window.close()

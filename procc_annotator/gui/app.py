@@ -76,15 +76,15 @@ def build_window(
     from now on.
     """
     window = MainWindow()
-    document = window.document
+    services = window.services
     if path is not None:
         window.opening.open_path(path, annotations, field)
     elif field is not None:
-        document.field_choice.take(field)
+        services.field_choice.take(field)
     choices = [CameraChoice(cameras)] if isinstance(cameras, Path) else cameras
-    loaded = [document.camera_sources.load_cameras(c.path, c.format, c.name) for c in choices]
+    loaded = [services.camera_sources.load_cameras(c.path, c.format, c.name) for c in choices]
     if any(loaded):
-        document.camera_sources.set_active_camera(0)
+        services.camera_sources.set_active_camera(0)
     return window
 
 

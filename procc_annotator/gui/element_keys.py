@@ -14,7 +14,7 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.keymap import HELD_KEYS, NATIVE, USUAL, Keymap, chords_of
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 
 # Codes of the keys 1 to 9 and 0 from left to right: evdev's plus 8 (X11, Wayland), those of
 # Windows, and macOS's virtual keys.
@@ -120,12 +120,12 @@ def _beginnings(chords: _Chords) -> list[_Chords]:
 class ElementShortcuts(QObject):
     """The keys of a window that choose the elements of the field on screen."""
 
-    def __init__(self, window: QWidget, document: Document) -> None:
+    def __init__(self, window: QWidget, services: Services) -> None:
         super().__init__(window)
-        self._window, self._document = window, document
+        self._window, self._services = window, services
         self._shortcuts: list[QShortcut] = []
-        document.store.watch(select.field, self._make)
-        document.store.watch(lambda state: state.keymap, self._take)
+        services.store.watch(select.field, self._make)
+        services.store.watch(lambda state: state.keymap, self._take)
         self._make()
 
     def _take(self) -> None:
@@ -137,10 +137,10 @@ class ElementShortcuts(QObject):
             old.deleteLater()
         self._shortcuts = []
         for name, keys in element_keys(
-            self._document.state.field, self._document.state.keymap
+            self._services.state.field, self._services.state.keymap
         ).items():
             shortcut = QShortcut(keys, self._window)
             shortcut.activated.connect(
-                lambda name=name: self._document.selecting.select_class(name, continues=True)
+                lambda name=name: self._services.selection.select_class(name, continues=True)
             )
             self._shortcuts.append(shortcut)

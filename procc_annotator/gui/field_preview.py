@@ -21,8 +21,8 @@ from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings, take_up
 from procc_annotator.gui.state.background import LatestOnlyTask
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 
 _SIZE = (980, 620)
@@ -69,11 +69,11 @@ class FieldPreview(QMainWindow):
         self.setObjectName("fieldPreview")
         self._source, self._dimensions = source, dict(dimensions or {})
         self._taken_keys = dict(taken_keys or {})
-        self.document = Document(parent=self)
-        self.document.live_fit.set_wanted(False)
+        self.services = Services(parent=self)
+        self.services.live_fit.set_wanted(False)
         self.problem_bar = _ProblemBar()
-        self.map = FieldMapPanel(self.document)
-        self.elements = ElementsPanel(self.document)
+        self.map = FieldMapPanel(self.services)
+        self.elements = ElementsPanel(self.services)
         self.facts = QLabel()
         self.facts.setWordWrap(True)
         self.remarks = note_label("preview_remarks")
@@ -95,7 +95,7 @@ class FieldPreview(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         self._watch.watch(None)
         self._reading.cancel()
-        self.document.close()
+        self.services.close()
         event.accept()
 
     def _assemble(self) -> None:
@@ -124,7 +124,7 @@ class FieldPreview(QMainWindow):
         self.problem_bar.tell(read.problem)
         if read.field is None:
             return
-        self.document.terms.set_field(read.field, keep=False)
+        self.services.evaluation.set_field(read.field, keep=False)
         self.pages.setCurrentIndex(1)
         name = Path(self._source).name
         self.setWindowTitle(f"{tr(read.field.title)} – {name}")

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.elements.assistant import Assistant
 from procc_annotator.gui.commands.elements.element_edits import ElementEdits, Naming
-from procc_annotator.gui.commands.elements.ghosts import GhostTasks
+from procc_annotator.gui.commands.elements.ghosts import GhostCommands
 from procc_annotator.gui.commands.field.field_choosing import FieldBar, FieldChoosing
 from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
@@ -48,7 +48,7 @@ from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripVisibility
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
@@ -66,7 +66,7 @@ from procc_annotator.translation import tr
 
 
 class MainWindow(QMainWindow):
-    """One window on one document."""
+    """One window on one dataset."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -74,17 +74,17 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.settings = Settings()
         apply_appearance(self.settings)
-        self.document = Document(parent=self)
-        self.canvas = Canvas(self.document)
-        self.error_reports = ErrorReports(self.document, self)
+        self.services = Services(parent=self)
+        self.canvas = Canvas(self.services)
+        self.error_reports = ErrorReports(self.services, self)
         self.options = BoundSettings(
-            self.settings, self.document, self.canvas, lambda name: self.actions_[name]
+            self.settings, self.services, self.canvas, lambda name: self.actions_[name]
         )
         self._make_tasks()
         self._make_panels()
         self._make_centre()
         self.actions_ = Actions(self, self.canvas)
-        ActionStates(self.document, self.actions_, self)
+        ActionStates(self.services, self.actions_, self)
         self.panels.turned.connect(lambda name: self.actions_.set_checked(f"desk_{name}", True))
         self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
         self.drawer.take_keys(self.actions_["plots"])
@@ -94,7 +94,7 @@ class MainWindow(QMainWindow):
         self.palette_ = CommandPalette(
             self,
             PaletteEntries(
-                self.document,
+                self.services,
                 self.actions_,
                 self.settings,
                 self.panels.show,
@@ -117,7 +117,7 @@ class MainWindow(QMainWindow):
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
-        self.top_bar = TopBar(self.document, self.actions_, self.actions_.menus["File/Field"])
+        self.top_bar = TopBar(self.services, self.actions_, self.actions_.menus["File/Field"])
         self.addToolBar(self.top_bar)
         self.side_bar = SideToolBar(self.actions_)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.side_bar)
@@ -132,13 +132,13 @@ class MainWindow(QMainWindow):
     def _make_helpers(self) -> None:
         """Make tips, key helpers and reports."""
         self.focus_return = FocusReturn(self.canvas)
-        self.finding_tips = FindingTips(self.document, self.canvas)
+        self.finding_tips = FindingTips(self.services, self.canvas)
         self.focus_ring = FocusRing(self)
-        self.element_shortcuts = ElementShortcuts(self, self.document)
+        self.element_shortcuts = ElementShortcuts(self, self.services)
         self.digit_row = DigitRow(self)
-        self._report = StatusReport(self.document, self.canvas, self.status, self)
+        self._report = StatusReport(self.services, self.canvas, self.status, self)
         MessageRouter(
-            self.document,
+            self.services,
             (self.message_bar, self.frame_bar, self.conflict_bar),
             self.status,
             self,
@@ -146,16 +146,16 @@ class MainWindow(QMainWindow):
 
     def _make_tasks(self) -> None:
         """Make the objects that the table of actions calls."""
-        document = self.document
-        self.element_edits = ElementEdits(document)
-        self.naming = Naming(document, self.canvas, self.element_edits)
-        self.assistant = Assistant(document, self)
-        self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
-        self.status_walk = StatusWalk(document)
-        self.shot_walk = ShotWalk(document, self.canvas, self)
-        self.shot_following = ShotFollowing(document, self)
+        services = self.services
+        self.element_edits = ElementEdits(services)
+        self.naming = Naming(services, self.canvas, self.element_edits)
+        self.assistant = Assistant(services, self)
+        self.ghost_tasks = GhostCommands(services, self.canvas, self.settings, self)
+        self.status_walk = StatusWalk(services)
+        self.shot_walk = ShotWalk(services, self.canvas, self)
+        self.shot_following = ShotFollowing(services, self)
         self.stretch_accepting = StretchAccepting(
-            document, lambda: self.ghost_tasks.accepting.least_support, self
+            services, lambda: self.ghost_tasks.accepting.least_support, self
         )
         self.canvas.editor.ask_first(
             self.canvas.camera_drag.key,
@@ -163,29 +163,29 @@ class MainWindow(QMainWindow):
             self.ghost_tasks.key,
             self.stretch_accepting.key,
         )
-        self.triage = Triage(document, self)
-        self.worst_first = WorstFirst(document, self)
-        self.fit_saving = FitSaving(document)
-        self.field_dimensions = FieldDimensionsTask(document, self)
-        self.blind_locking = BlindLocking(document, self)
-        self.label_check = LabelCheckCommands(document, self)
+        self.triage = Triage(services, self)
+        self.worst_first = WorstFirst(services, self)
+        self.fit_saving = FitSaving(services)
+        self.field_dimensions = FieldDimensionsTask(services, self)
+        self.blind_locking = BlindLocking(services, self)
+        self.label_check = LabelCheckCommands(services, self)
         self.label_check.followWanted.connect(self.assistant.regularise_named)
-        self.source_memory = SourceMemory(document, self.settings, self)
-        self.exporter = Exporter(document, self)
-        self.export_as = ExportAs(document, self)
-        self.importer = AnnotationImporter(document, self)
-        self.overlay_saving = OverlaySaving(document, self)
-        self.versions = Versions(document, self)
-        self.view_grouping = ViewGrouping(document, self)
-        self.opening = OpeningTask(document, self.settings, self)
+        self.source_memory = SourceMemory(services, self.settings, self)
+        self.exporter = Exporter(services, self)
+        self.export_as = ExportAs(services, self)
+        self.importer = AnnotationImporter(services, self)
+        self.overlay_saving = OverlaySaving(services, self)
+        self.versions = Versions(services, self)
+        self.view_grouping = ViewGrouping(services, self)
+        self.opening = OpeningTask(services, self.settings, self)
         self.regions = FocusRegions(self)
-        self.commands = Commands(document, self.canvas, self.options, self)
+        self.commands = Commands(services, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
         self.message_bar, self.frame_bar = MessageBar(), FrameBar()
         self.conflict_bar = ConflictBar()
         self.field_bar = FieldBar()
-        self.field_choosing = FieldChoosing(self.document, self.settings, self.field_bar, self)
+        self.field_choosing = FieldChoosing(self.services, self.settings, self.field_bar, self)
         self.welcome = Welcome(with_sample=sample_folder() is not None)
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
@@ -195,9 +195,9 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.pages)
-        self.strip = ShotStrip(self.document)
+        self.strip = ShotStrip(self.services)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.strip_visibility = StripVisibility(self.document, self.canvas.editor, self.strip)
+        self.strip_visibility = StripVisibility(self.services, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
         self.drawer = PlotsHandle(self.panels)
         column.addWidget(self.drawer)
@@ -207,18 +207,18 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
 
     def _make_panels(self) -> None:
-        document = self.document
-        self.frames = FramesPanel(document, document.cache)
-        self.field_map = FieldMapPanel(document)
-        self.elements = ElementsPanel(document)
-        self.cameras = CamerasPanel(document)
-        self.scores = ScoresPanel(document)
-        self.fit = FitPanel(document)
-        self.plots = PlotsPanel(document)
-        self.findings = FindingsPanel(document)
-        self.landmarks = LandmarksPanel(document)
-        self.review = ReviewPanel(document)
-        self.agreement = AgreementPanel(document)
+        services = self.services
+        self.frames = FramesPanel(services, services.cache)
+        self.field_map = FieldMapPanel(services)
+        self.elements = ElementsPanel(services)
+        self.cameras = CamerasPanel(services)
+        self.scores = ScoresPanel(services)
+        self.fit = FitPanel(services)
+        self.plots = PlotsPanel(services)
+        self.findings = FindingsPanel(services)
+        self.landmarks = LandmarksPanel(services)
+        self.review = ReviewPanel(services)
+        self.agreement = AgreementPanel(services)
         self.panels = Workspaces(
             self,
             {
@@ -256,16 +256,16 @@ class MainWindow(QMainWindow):
         self.welcome.open_recent.connect(self.opening.open_path)
 
     def _connect(self) -> None:
-        document = self.document
-        document.store.watch(select.frame, self._refresh_frame)
-        document.store.watch(select.frame, self._fit_below_bars)
+        services = self.services
+        services.store.watch(select.frame, self._refresh_frame)
+        services.store.watch(select.frame, self._fit_below_bars)
         self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
         self.welcome.open_video.connect(self.opening.open_video)
         self.welcome.open_sample.connect(self.opening.open_sample)
         self.opening.secondChosen.connect(self.agreement.open)
-        self.document.second.opened.connect(self._show_second)
+        self.services.second_annotator.opened.connect(self._show_second)
         self.elements.left.connect(self.canvas.setFocus)
         self.frames.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
@@ -280,15 +280,15 @@ class MainWindow(QMainWindow):
         self.label_check.serve(self.findings)
         # Its reason should be in sight.
         self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))
-        note_activity = document.review.note_activity
+        note_activity = services.review.note_activity
         for moved in (self.canvas.cursorMoved, self.canvas.viewChanged):
             moved.connect(note_activity)
-        document.store.watch(lambda s: (s.annotation, s.selection), note_activity, When.AFTER_PAINT)
+        services.store.watch(lambda s: (s.annotation, s.selection), note_activity, When.AFTER_PAINT)
 
-    # --- showing the document -------------------------------------------------------------
+    # --- showing the state ----------------------------------------------------------------
 
     def _refresh_frame(self) -> None:
-        frame = self.document.state.frame
+        frame = self.services.state.frame
         opened = frame is not None and self.pages.currentWidget() is self.welcome
         self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
         if opened or (frame is not None and not self.canvas.hasFocus() and self.frames.isHidden()):
@@ -303,7 +303,7 @@ class MainWindow(QMainWindow):
         """The menu of what is under the cursor."""
         menu = canvas_menu(
             self,
-            self.document,
+            self.services,
             self.actions_,
             self.element_edits,
             self.label_check,
@@ -335,7 +335,7 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
-            self.document.outside.look()  # other programs had their turn
+            self.services.outside_changes.look()  # other programs had their turn
         if event.type() == QEvent.Type.PaletteChange:
             for bar in self._bars:
                 bar.follow_theme()
@@ -350,8 +350,8 @@ class MainWindow(QMainWindow):
         self.opening.drop(paths)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.document.editing.save_now():
-            problems = [str(p) for p in self.document.saver.problems.values()]
+        if not self.services.editing.save_now():
+            problems = [str(p) for p in self.services.saver.problems.values()]
             if not ask_to_leave_unsaved(self, problems):
                 event.ignore()
                 return
@@ -359,5 +359,5 @@ class MainWindow(QMainWindow):
         self.importer.stop()
         self.shot_following.forget()
         self.stretch_accepting.forget()
-        self.document.close()
+        self.services.close()
         event.accept()

@@ -96,20 +96,20 @@ def _copied(path: Path | None, folder: Path) -> str:
 
 def _annotate(app: QApplication, window: MainWindow, file: Path) -> str:
     """Annotate the field's first straight element and read it back; return its name."""
-    document = window.document
+    services = window.services
     window.resize(1280, 720)
     window.show()
     until = time.monotonic() + _WAIT_S
-    while document.walk.picture is None:
+    while services.navigator.picture is None:
         if time.monotonic() > until:
             raise SelftestError(f"selftest failed: the picture was not shown within {_WAIT_S} s")
         app.processEvents()
         time.sleep(0.01)
-    field = document.state.field
+    field = services.state.field
     element = next(e for e in field.elements if e.is_straight and not e.optional)
     line = Polyline(element.name, tuple(Point(u, v) for u, v in _ENDS))
-    document.editing.commit_edit("drawn", FrameAnnotation((line,)))
-    document.editing.save_now()
+    services.editing.commit_edit("drawn", FrameAnnotation((line,)))
+    services.editing.save_now()
     found = read_annotation(file.read_bytes(), path=str(file), field=field).get(element.name)
     if found is None or [(p.u, p.v) for p in found.points] != list(_ENDS):
         raise SelftestError(f"selftest failed: {line} was drawn, the file holds {found}")

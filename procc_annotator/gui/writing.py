@@ -11,32 +11,32 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.gui.state.background import JobControl, run_in_background
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr
 
 T = TypeVar("T")
 
 
-def opened_frame(document: Document) -> Frame | None:
+def opened_frame(services: Services) -> Frame | None:
     """The frame on screen; if there is none it is said what to do."""
-    if document.state.frame is None:
-        document.say(tr("open a folder of pictures first"), "warning")
-    return document.state.frame
+    if services.state.frame is None:
+        services.say(tr("open a folder of pictures first"), "warning")
+    return services.state.frame
 
 
 def ask_where(
-    document: Document, parent: QWidget, title: str, name: str, kinds: str
+    services: Services, parent: QWidget, title: str, name: str, kinds: str
 ) -> Path | None:
     """Ask for a file next to the folder of pictures; None if nowhere.
 
     Args:
-        document: nothing is asked, and that is said, where no frame is open.
+        services: nothing is asked, and that is said, where no frame is open.
         parent: the dialog's.
         title: the dialog's.
         name: offered for the file.
         kinds: Qt's filters; a name without a suffix gets that of the kind that was chosen.
     """
-    if (frame := opened_frame(document)) is None:
+    if (frame := opened_frame(services)) is None:
         return None
     start = frame.image_path.parent.parent / name
     chosen, kind = QFileDialog.getSaveFileName(parent, title, str(start), kinds)
@@ -48,7 +48,7 @@ def ask_where(
 
 
 def write(
-    document: Document,
+    services: Services,
     work: Callable[[JobControl], T],
     said: Callable[[T], str],
     *,
@@ -59,17 +59,17 @@ def write(
     """Write in the background, and say what came of it.
 
     Args:
-        document: says it.
+        services: says it.
         work: writes.
         said: in words, what came of it.
-        owner: nothing is said once it is gone; the document unless given.
+        owner: nothing is said once it is gone; the services unless given.
         progress: receives how many of how many are done.
         again: the action that asks for another place.
     """
     run_in_background(
         work,
-        on_result=lambda result: document.say(said(result)),
-        on_error=lambda text: document.say(text, "error", again),
+        on_result=lambda result: services.say(said(result)),
+        on_error=lambda text: services.say(text, "error", again),
         on_progress=progress,
-        owner=document if owner is None else owner,
+        owner=services if owner is None else owner,
     )

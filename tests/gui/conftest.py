@@ -262,7 +262,7 @@ def make_window(qtbot, one_window, new_window) -> Iterator[MakeWindow]:
 
     yield make
     for window in windows:
-        window.document.close()
+        window.services.close()
     windows.clear()
     # pytest-qt wants them deleted, which Qt does once events are handled again.
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
@@ -279,7 +279,7 @@ class Hand:
 
     def __init__(self, window: MainWindow) -> None:
         self.canvas = window.canvas
-        self.document = window.document
+        self.services = window.services
 
     def at(self, x: float, y: float) -> QPoint:
         """The screen pixel that shows a picture position."""
@@ -343,7 +343,7 @@ class Hand:
 
     def draw(self, class_name: str, *points: tuple[float, float]) -> np.ndarray:
         """Choose an element, click its points, press Enter, see it saved; where the clicks were."""
-        self.document.selecting.select_class(class_name, continues=True)
+        self.services.selection.select_class(class_name, continues=True)
         clicked = [self.click(*p) for p in points]
         self.key(Qt.Key.Key_Return)
         until_kept()
@@ -409,7 +409,7 @@ def begun(make_window, annotated, qtbot) -> MainWindow:
     entries = json.loads(path.read_text())
     path.write_text(json.dumps({name: entries[name] for name in KEPT}))
     window = make_window(annotated)
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     wait_for_ghosts(window, qtbot)
     return window
 
@@ -417,18 +417,18 @@ def begun(make_window, annotated, qtbot) -> MainWindow:
 @pytest.fixture
 def told(begun) -> list[str]:
     """What the window said, in order."""
-    return heard(begun.document)
+    return heard(begun.services)
 
 
-def heard(document) -> list[str]:
-    """A list that every text of a document's messages goes to from now on."""
+def heard(services) -> list[str]:
+    """A list that every message text goes to from now on."""
     texts: list[str] = []
-    document.store.events.message.connect(lambda m: texts.append(m.text))
+    services.store.events.message.connect(lambda m: texts.append(m.text))
     return texts
 
 
 def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: window.document.live_fit.insight is not None)
+    qtbot.waitUntil(lambda: window.services.live_fit.insight is not None)
 
 
 @pytest.fixture
@@ -438,11 +438,11 @@ def audited(make_window, annotated, qtbot) -> MainWindow:
     There is no live fit, which would be a fourth source.
     """
     window = make_window(annotated)
-    window.document.live_fit.set_wanted(False)
+    window.services.live_fit.set_wanted(False)
     for name in ("true", "bad", "pinhole"):
-        assert window.document.camera_sources.load_cameras(annotated / "cameras" / name)
-    window.document.camera_sources.set_active_camera(0)
-    window.document.walk.go_to(1)
+        assert window.services.camera_sources.load_cameras(annotated / "cameras" / name)
+    window.services.camera_sources.set_active_camera(0)
+    window.services.navigator.go_to(1)
     settle(window, qtbot)
     return window
 
@@ -452,7 +452,7 @@ def until_kept() -> None:
     happens meanwhile."""
     for window in QApplication.topLevelWidgets():
         if isinstance(window, MainWindow):
-            window.document.saver.settle()
+            window.services.saver.settle()
 
 
 def let_work_end(qtbot: QtBot) -> None:
@@ -462,11 +462,11 @@ def let_work_end(qtbot: QtBot) -> None:
 
 def settle(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until everything computed in the background has arrived."""
-    document = window.document
-    qtbot.waitUntil(lambda: not document.auditing.waiting)
-    qtbot.waitUntil(lambda: not document.set_scores.running)
+    services = window.services
+    qtbot.waitUntil(lambda: not services.scoring.waiting)
+    qtbot.waitUntil(lambda: not services.dataset_scores.running)
     qtbot.waitUntil(
-        lambda: all(document.source_frames.of(s) is not None for s in document.state.sources)
+        lambda: all(services.source_frames.of(s) is not None for s in services.state.sources)
     )
 
 

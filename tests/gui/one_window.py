@@ -31,9 +31,9 @@ class OneWindow:
     def lend(self, path: Path) -> MainWindow:
         """A window that nothing tells from a new one, with a dataset."""
         window = self._like_new()
-        before = window.document.state.workspace
+        before = window.services.state.workspace
         window.opening.open_path(path)
-        if window.document.state.workspace is before is not None:  # it keeps what cannot be saved
+        if window.services.state.workspace is before is not None:  # it keeps what cannot be saved
             self.end()
             window = self._like_new()
             window.opening.open_path(path)
@@ -59,8 +59,8 @@ class OneWindow:
         if self._window is not None:
             store = self._window.settings._store
             kept = {key: store.value(key) for key in store.allKeys()}
-            self._window.document.close()
-            self._window.document.saver.set_workspace(None)  # a test that failed would be asked
+            self._window.services.close()
+            self._window.services.saver.set_workspace(None)  # a test that failed would be asked
             self._window.close()
             self._window.deleteLater()
             self._window = None
@@ -77,29 +77,29 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     for other in QApplication.topLevelWidgets():
         if other is not window and other.isVisible():
             other.close()
-    document = window.document
-    if document.state.workspace is not None and document.review.database is None:
-        return False  # the document alone was closed
+    services = window.services
+    if services.state.workspace is not None and services.review.database is None:
+        return False  # the services alone were closed
     for task in window.findChildren(DialogTask):
         task._leave()  # as another dataset has them do
-    document.camera_sources.clear_sources()
+    services.camera_sources.clear_sources()
     window.cameras.list.refresh()  # or its rows stay until the panel is seen, and are found by name
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
-    document.terms.take_field(new["field"])
-    document.terms.set_noise_floor(None)
-    document.set_author(new["state"][-1])
-    document.selecting.set_mode("draw")
-    document.selecting.select_class(None)
+    services.evaluation.take_field(new["field"])
+    services.evaluation.set_noise_floor(None)
+    services.set_author(new["state"][-1])
+    services.selection.set_mode("draw")
+    services.selection.select_class(None)
     # Of several that exclude each other, the one that was chosen goes first.
     for name, checked in sorted(_switches(window).items(), key=lambda item: not new[item[0]]):
         if name == "lock_blind":  # asks, and the next dataset has its own
             continue
         if checked != new[name] and window.actions_[name].isChecked() != new[name]:
             window.actions_[name].trigger()
-    document.terms.set_tau(DEFAULT_TAU)
-    document.terms.set_protocol(new["terms"][0], off_plane=new["terms"][1])
-    document.live_fit.set_model(new["model"])
-    document.fit_source.preferred = False
+    services.evaluation.set_tau(DEFAULT_TAU)
+    services.evaluation.set_protocol(new["terms"][0], off_plane=new["terms"][1])
+    services.live_fit.set_model(new["model"])
+    services.fit_source.preferred = False
     for edit in window.findChildren(QLineEdit):
         if f"text {edit.objectName()}" in new or edit.objectName().startswith("landmark"):
             edit.clear()
@@ -127,13 +127,13 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
 
 def _settings_of(window: MainWindow) -> dict[str, object]:
     """Everything somebody can choose in a window, whatever is open in it."""
-    state, canvas = window.document.state, window.canvas
+    state, canvas = window.services.state, window.canvas
     found: dict[str, object] = {
         "state": (state.mode, state.options, state.tau, state.blind, state.sources, state.author),
         "terms": (state.setup.protocol, state.setup.off_plane, state.noise_floor),
         "selected": state.selection,
         "field": state.setup.field,
-        "model": window.document.live_fit.model,
+        "model": window.services.live_fit.model,
         "canvas": (canvas.keep_zoom, canvas.loupe_always),
         "drawing": (canvas.drawing.colour_by, canvas.drawing.hidden),
         "layout": _layout_of(window),

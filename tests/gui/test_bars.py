@@ -20,7 +20,7 @@ def test_no_bar_moves_what_is_under_the_cursor(window, hand, qtbot, zoomed):
         return canvas.viewport().mapToGlobal(hand.at(320, 180))
 
     before, tall = on_screen(), window.bars.height()
-    window.document.say("saving failed: " + "the disk is full " * 20, "error")
+    window.services.say("saving failed: " + "the disk is full " * 20, "error")
     qtbot.waitUntil(lambda: window.bars.height() > tall)
     assert window.message_bar.isVisible()
     assert on_screen() == before
@@ -30,9 +30,9 @@ def test_no_bar_moves_what_is_under_the_cursor(window, hand, qtbot, zoomed):
 
 
 def test_a_frame_that_comes_under_a_bar_is_seen_whole(window, hand, qtbot):
-    window.document.say("a colleague has this frame", "warning")
+    window.services.say("a colleague has this frame", "warning")
     qtbot.waitUntil(lambda: window.bars.height() > 0)
-    window.document.walk.next_frame()
+    window.services.navigator.next_frame()
     bars = window.bars
     covered = bars.mapToGlobal(QPoint(0, bars.height())).y()
     assert window.message_bar.isVisible()
@@ -40,10 +40,10 @@ def test_a_frame_that_comes_under_a_bar_is_seen_whole(window, hand, qtbot):
 
 
 def test_a_warning_is_shown_though_something_else_is_said_at_once(window):
-    document = window.document
-    with document.store.transaction():
-        document.say("a colleague has this frame", "warning")
-        document.say("the frame is in progress again", "info")
+    services = window.services
+    with services.store.transaction():
+        services.say("a colleague has this frame", "warning")
+        services.say("the frame is in progress again", "info")
     assert window.message_bar.isVisible()
     assert "a colleague has this frame" in window.message_bar.label.text()
     assert "the frame is in progress again" in window.status.hint.text()

@@ -48,15 +48,15 @@ def window(make_window, dataset, qtbot) -> MainWindow:
     """Judged by wrong cameras beside the true ones, fitted, everything switched on; one frame is
     committed."""
     window = make_window(dataset)
-    document = window.document
-    document.live_fit.set_model("P")
+    services = window.services
+    services.live_fit.set_model("P")
     for name in ("true", "bad"):
-        assert document.camera_sources.load_cameras(dataset / "cameras" / name)
-    document.walk.go_to(document.state.workspace.index[OTHER])
-    document.editing.commit_frame()
+        assert services.camera_sources.load_cameras(dataset / "cameras" / name)
+    services.navigator.go_to(services.state.workspace.index[OTHER])
+    services.editing.commit_frame()
     window.triage.mark("camera")
-    document.walk.go_to(document.state.workspace.index[HERE])
-    qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
+    services.navigator.go_to(services.state.workspace.index[HERE])
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
     settle(window, qtbot)
     window.triage.mark("camera")
     for name in ("scores", "fit", "cameras"):
@@ -92,7 +92,7 @@ class Look:
         return self.window.canvas.comparison.wireframes is not EMPTY_OVERLAY
 
     def ghosts(self) -> object:
-        ghosts = self.window.document.ghosts
+        ghosts = self.window.services.ghosts
         return ghosts.painted or ghosts.suggestion
 
     def scores_panel(self) -> object:
@@ -117,7 +117,7 @@ class Look:
 
     def field_map(self) -> object:
         """Turned to the camera, or the part it sees marked."""
-        return self.window.document.map_sight.shown
+        return self.window.services.visible_region.shown
 
     def legend_in_the_corner(self) -> object:
         legend = self.window.canvas.legend
@@ -125,12 +125,12 @@ class Look:
         return [e for e in legend.entries if e.text != "annotated, in its class's colour"]
 
     def elements(self) -> object:
-        states = element_states(self.window.document).values()
+        states = element_states(self.window.services).values()
         return {ElementState.PASSES, ElementState.TOO_FAR, ElementState.NOT_ANNOTATED} & set(states)
 
     def row_of_the_frame(self) -> object:
         model = self.window.frames.model
-        row = model.row_of(self.window.document.state.frame_index)
+        row = model.row_of(self.window.services.state.frame_index)
         info = model.info(row)
         tip = model.data(model.index(row), Qt.ItemDataRole.ToolTipRole)
         return info.jac is not None or info.verdict is not None or "JaC" in tip
@@ -173,27 +173,27 @@ class Look:
         return "JaC" in text or "too far" in text
 
     def disagreement(self) -> object:
-        return self.window.document.disagreement.value
+        return self.window.services.disagreement.value
 
     def uncertainty(self) -> object:
-        document = self.window.document
-        document.uncertainty.set_enabled(True)
+        services = self.window.services
+        services.uncertainty.set_enabled(True)
         all_done(self.qtbot)
-        found = document.uncertainty.value
-        document.disagreement.set_enabled(True)
+        found = services.uncertainty.value
+        services.disagreement.set_enabled(True)
         all_done(self.qtbot)
         return found
 
     def saved_fit(self) -> object:
         folder = self.folder / "sample" / "cameras" / "fitted"
-        with self.qtbot.waitSignal(self.window.document.store.events.message, timeout=20_000):
+        with self.qtbot.waitSignal(self.window.services.store.events.message, timeout=20_000):
             self.window.actions_["save_fit"].trigger()
         there = folder.exists()
         shutil.rmtree(folder, ignore_errors=True)
         return there
 
     def split_view(self) -> object:
-        compared, score = self.window.document.judge.compared
+        compared, score = self.window.services.scorer.compared
         return compared or score
 
     def field_dimensions(self) -> object:
@@ -223,19 +223,19 @@ class Look:
         return HERE in found
 
     def _walked(self, step: Callable[[], None]) -> bool:
-        document = self.window.document
-        here, seen = document.state.frame_index, set()
-        document.walk.go_to(document.state.workspace.index[EMPTY])
+        services = self.window.services
+        here, seen = services.state.frame_index, set()
+        services.navigator.go_to(services.state.workspace.index[EMPTY])
         for _ in range(3):
             step()
             all_done(self.qtbot)
             self.qtbot.waitUntil(
                 lambda: not self.window.worst_first._comparing.running, timeout=20_000
             )
-            seen.add(document.state.frame.name)
-        document.walk.go_to(here)
+            seen.add(services.state.frame.name)
+        services.navigator.go_to(here)
         all_done(self.qtbot)
-        self.qtbot.waitUntil(lambda: not document.live_fit.working, timeout=20_000)
+        self.qtbot.waitUntil(lambda: not services.live_fit.working, timeout=20_000)
         return HERE in seen
 
     def _plotted(self, scope: str) -> bool:
@@ -272,15 +272,15 @@ def telling(look: Look) -> list[str]:
 
 
 def test_nothing_tells_how_a_camera_does_before_the_commit(window, tmp_path, qtbot):
-    look, document = Look(window, tmp_path, qtbot), window.document
-    document.disagreement.set_enabled(True)
-    qtbot.waitUntil(lambda: document.disagreement.value is not None)
+    look, services = Look(window, tmp_path, qtbot), window.services
+    services.disagreement.set_enabled(True)
+    qtbot.waitUntil(lambda: services.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
-    document.blind_lock.set_blind(True)
+    services.blind_lock.set_blind(True)
     all_done(qtbot)
     assert telling(look) == []
-    document.editing.commit_frame()
-    qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
+    services.editing.commit_frame()
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
     all_done(qtbot)
     # A mean over the set is of frames that are not committed, too.
     assert telling(look) == [name for name in LOOKS if name != "source_rows"]
@@ -293,25 +293,25 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(window, tmp_path, qtb
 def blind(make_window, dataset, qtbot) -> MainWindow:
     """The window on a frame that nobody committed, in blind mode, with cameras and no fit."""
     window = make_window(dataset)
-    document = window.document
-    document.live_fit.set_wanted(False)
-    document.blind_lock.set_blind(True)
-    assert document.camera_sources.load_cameras(dataset / "cameras" / "bad")
-    document.walk.go_to(document.state.workspace.index[HERE])
+    services = window.services
+    services.live_fit.set_wanted(False)
+    services.blind_lock.set_blind(True)
+    assert services.camera_sources.load_cameras(dataset / "cameras" / "bad")
+    services.navigator.go_to(services.state.workspace.index[HERE])
     settle(window, qtbot)
     return window
 
 
 @pytest.fixture
 def told(blind) -> list[str]:
-    return heard(blind.document)
+    return heard(blind.services)
 
 
 def nudge(window: MainWindow) -> None:
     """Move a point by a key."""
-    document = window.document
-    document.selecting.set_mode("edit")
-    document.selecting.select_point(KEPT[0], 0)
+    services = window.services
+    services.selection.set_mode("edit")
+    services.selection.select_point(KEPT[0], 0)
     Hand(window).key(Qt.Key.Key_Right)
 
 
@@ -330,16 +330,16 @@ def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
 
 
 def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(blind, told, tmp_path, qtbot):
-    document = blind.document
+    services = blind.services
     assert said_in_review(blind, qtbot) == ""
-    document.editing.commit_frame()
+    services.editing.commit_frame()
     assert "as it was then" in said_in_review(blind, qtbot)
     nudge(blind)
-    assert document.review.status(HERE) is Status.IN_PROGRESS
+    assert services.review.status(HERE) is Status.IN_PROGRESS
     assert "edited after the cameras were shown" in told[-1]
     assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
-    document.walk.go_to(document.state.workspace.index[OTHER])
-    document.editing.commit_frame()
+    services.navigator.go_to(services.state.workspace.index[OTHER])
+    services.editing.commit_frame()
     assert in_overview(blind, tmp_path / "overview.csv", qtbot) == {
         EMPTY: "",
         HERE: "edited after the cameras were shown",
@@ -350,74 +350,74 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(blind, told, tm
     qtbot.waitUntil(provenance.exists, timeout=20_000)
     entries = json.loads(provenance.read_text(encoding="utf-8"))["blind"]
     assert {name: entry[:2] for name, entry in entries.items()} == {
-        HERE: ["edited after the cameras were shown", document.state.author],
-        OTHER: ["blind", document.state.author],
+        HERE: ["edited after the cameras were shown", services.state.author],
+        OTHER: ["blind", services.state.author],
     }
 
 
 def test_committing_again_does_not_make_it_blind_work_but_taking_the_edit_back_does(
     blind, make_window, dataset, qtbot
 ):
-    document = blind.document
-    document.editing.commit_frame()
+    services = blind.services
+    services.editing.commit_frame()
     nudge(blind)
-    document.editing.commit_frame()
-    assert document.review.status(HERE) is Status.DONE
+    services.editing.commit_frame()
+    assert services.review.status(HERE) is Status.DONE
     assert said_in_review(blind, qtbot).startswith("Edited")
-    document.editing.undo()
+    services.editing.undo()
     assert said_in_review(blind, qtbot).startswith("Committed in blind mode")
     blind.close()
     again = make_window(dataset)  # also read from the file
-    again.document.walk.go_to(again.document.state.workspace.index[HERE])
+    again.services.navigator.go_to(again.services.state.workspace.index[HERE])
     assert said_in_review(again, qtbot).startswith("Committed in blind mode")
 
 
 def test_taking_an_edit_back_makes_the_frame_done_again(blind, told):
-    blind.document.editing.commit_frame()
+    blind.services.editing.commit_frame()
     nudge(blind)
-    blind.document.editing.undo()
-    assert blind.document.review.status(HERE) is Status.DONE
+    blind.services.editing.undo()
+    assert blind.services.review.status(HERE) is Status.DONE
     assert f"{HERE} is done again" in told[-1]
 
 
 def test_what_was_committed_with_cameras_shown_is_no_blind_work(blind, told, qtbot):
-    document = blind.document
-    document.blind_lock.set_blind(False)
-    document.editing.commit_frame()
-    document.blind_lock.set_blind(True)
-    document.editing.commit_frame()
+    services = blind.services
+    services.blind_lock.set_blind(False)
+    services.editing.commit_frame()
+    services.blind_lock.set_blind(True)
+    services.editing.commit_frame()
     assert said_in_review(blind, qtbot) == ""
     nudge(blind)
-    assert document.review.status(HERE) is Status.DONE
+    assert services.review.status(HERE) is Status.DONE
     assert not [text for text in told if "cameras were shown" in text]
 
 
 def test_an_empty_frame_is_committed_by_the_second_key_only(blind, told, qtbot):
-    document, hand = blind.document, Hand(blind)
-    document.walk.go_to(document.state.workspace.index[EMPTY])
+    services, hand = blind.services, Hand(blind)
+    services.navigator.go_to(services.state.workspace.index[EMPTY])
     hand.key(Qt.Key.Key_Return, CTRL)
     assert "Ctrl+Enter again shows the cameras" in told[-1]
-    assert not document.state.projection_visible
-    document.walk.go_to(document.state.workspace.index[HERE])
-    document.walk.go_to(document.state.workspace.index[EMPTY])
+    assert not services.state.projection_visible
+    services.navigator.go_to(services.state.workspace.index[HERE])
+    services.navigator.go_to(services.state.workspace.index[EMPTY])
     hand.key(Qt.Key.Key_Return, CTRL)  # it was asked for long ago
-    assert not document.state.projection_visible
+    assert not services.state.projection_visible
     hand.key(Qt.Key.Key_Return, CTRL)
-    assert document.state.projection_visible
+    assert services.state.projection_visible
     hand.draw("Middle line", (300, 300), (500, 500))
     assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
 
 
 def test_done_chosen_for_an_empty_frame_shows_what_holds(blind, qtbot):
-    document = blind.document
-    document.walk.go_to(document.state.workspace.index[EMPTY])
+    services = blind.services
+    services.navigator.go_to(services.state.workspace.index[EMPTY])
     blind.panels.show("review")
     all_done(qtbot)
     box = blind.findChild(QComboBox, "reviewStatus")
     box.setCurrentIndex(box.findData(Status.DONE))
     box.activated.emit(box.currentIndex())
     qtbot.waitUntil(lambda: box.currentData() == Status.UNTOUCHED)
-    assert not document.state.projection_visible
+    assert not services.state.projection_visible
 
 
 def test_exporting_says_what_blind_mode_leaves_out(blind, told, tmp_path, qtbot):
@@ -427,7 +427,7 @@ def test_exporting_says_what_blind_mode_leaves_out(blind, told, tmp_path, qtbot)
     blind.exporter.write_scores(path)
     assert "no frame is committed yet" in told[-1]
     assert not path.exists()
-    blind.document.editing.commit_frame()
+    blind.services.editing.commit_frame()
     blind.exporter.write_scores(path)
     qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1], timeout=20_000)
     rows = list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline="")))
@@ -439,8 +439,8 @@ def test_the_field_is_estimated_from_committed_frames_only(blind, qtbot):
     dialog = blind.field_dimensions.dialog
     dialog.estimate_button.click()
     assert "once a frame of it is committed" in dialog.found.text()
-    blind.document.walk.go_to(blind.document.state.workspace.index[OTHER])
-    blind.document.editing.commit_frame()
+    blind.services.navigator.go_to(blind.services.state.workspace.index[OTHER])
+    blind.services.editing.commit_frame()
     dialog.estimate_button.click()
     qtbot.waitUntil(lambda: "took no part (2)" in dialog.found.text(), timeout=20_000)
     assert "1 frame;" in dialog.found.text()
@@ -452,7 +452,7 @@ def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
     (dataset / ".procc").write_text("a file where the folder belongs")
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     window = make_window(dataset)
-    told = heard(window.document)
+    told = heard(window.services)
     window.actions_["lock_blind"].trigger()
     assert "locked to blind mode, for you alone" in told[-1]
     assert "for you alone" in window.actions_["blind"].toolTip()
@@ -470,8 +470,8 @@ def test_the_picture_stands_in_a_frame_while_blind(blind, qtbot):
     assert all(edge.isVisible() for edge in edges)
     assert "Ctrl+Enter" in badge.text
     assert view.rect().contains(badge.geometry())
-    blind.document.editing.commit_frame()
+    blind.services.editing.commit_frame()
     qtbot.waitUntil(lambda: "committed" in badge.text)
-    blind.document.blind_lock.set_blind(False)
+    blind.services.blind_lock.set_blind(False)
     assert not any(part.isVisible() for part in (*edges, badge))
     assert blind.canvas.to_picture(QPointF(100, 100)) == before  # nothing has moved

@@ -51,7 +51,7 @@ class CameraDrag:
     """A person's mouse over the canvas with both keys held: positions are in picture px."""
 
     def __init__(self, window: MainWindow) -> None:
-        self.canvas, self.document = window.canvas, window.document
+        self.canvas, self.services = window.canvas, window.services
 
     def at(self, place: Place) -> QPoint:
         return self.canvas.to_view(*place).toPoint()
@@ -117,7 +117,7 @@ def search(wrong, monkeypatch) -> None:
 def window(make_window, annotated, search, qtbot) -> MainWindow:
     (annotated / "00002.json").unlink()
     made = make_window(annotated)
-    made.document.walk.go_to(1)
+    made.services.navigator.go_to(1)
     all_done(qtbot)
     return made
 
@@ -128,7 +128,7 @@ def drag(window) -> CameraDrag:
 
 
 def camera_of(window: MainWindow) -> PinholeCamera:
-    found = window.document.corrections.here
+    found = window.services.corrections.here
     assert isinstance(found.fit.camera, PinholeCamera)
     return found.fit.camera
 
@@ -138,9 +138,9 @@ def corners(
 ) -> list[tuple[Place, Place]]:
     """Where distinct places well inside the picture are shown, and where they belong; those that
     lie far apart first."""
-    size = window.document.state.picture_size
+    size = window.services.state.picture_size
     assert size is not None
-    frame = wireframe_of(shown, window.document.state.field, size)
+    frame = wireframe_of(shown, window.services.state.field, size)
     belong = true.project(frame.places)[0]
     middle, room = np.array(size) / 2, np.array(size) / 2 - 40
     inside = (np.abs(frame.px - middle) < room) & (np.abs(belong - middle) < room)
@@ -188,26 +188,26 @@ class TestTakingHold:
         QTest.keyRelease(window.canvas, Key.Key_Control)
 
     def test_a_click_of_it_draws_nothing(self, window, drag, places):
-        window.document.selecting.select_class("Middle line")
+        window.services.selection.select_class("Middle line")
         drag.drag((700.0, 690.0), (730.0, 680.0))  # no line is there
         drag.drag(places[0][0], places[0][0])
         assert not window.canvas.editor.drawing
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
 
     def test_not_in_blind_mode(self, window, drag, places):
         drag.drag(*places[0])
-        window.document.blind_lock.set_blind(True)
+        window.services.blind_lock.set_blind(True)
         assert not window.canvas.camera_drag.item.overlay.marks
         drag.drag(*places[1])
         assert "blind mode" in window.status.hint.text()
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
         assert not window.canvas.camera_drag.item.overlay.strokes[1].segments.size
-        window.document.blind_lock.set_blind(False)
+        window.services.blind_lock.set_blind(False)
         assert len(camera_pegs(window)) == 1
 
 
 def camera_pegs(window: MainWindow) -> tuple[Any, ...]:
-    found = window.document.corrections.here
+    found = window.services.corrections.here
     return found.pegs if found is not None else ()
 
 
@@ -223,23 +223,23 @@ class TestDragging:
                 drag.move(aim, Button.LeftButton)
             shown = hand.item.overlay.marks[-1].centres[0]
             assert shown == pytest.approx(drag.exactly(aim), abs=0.1)
-        assert window.document.corrections.here is None  # nothing before the button goes up
+        assert window.services.corrections.here is None  # nothing before the button goes up
 
     def test_the_camera_is_made_exact_on_paint_and_ghosts_follow(
         self, window, drag, places, truth, qtbot
     ):
-        before = {ghost.name: ghost for ghost in window.document.ghosts.painted}
+        before = {ghost.name: ghost for ghost in window.services.ghosts.painted}
         drag.drag(*places[0])
         drag.move(places[0][1], keys=Qt.KeyboardModifier.NoModifier)
         all_done(qtbot)
 
-        found = window.document.corrections.here
+        found = window.services.corrections.here
         assert found.why_not == ""
-        spots = wireframe_of(truth, window.document.state.field, SAMPLE).places
+        spots = wireframe_of(truth, window.services.state.field, SAMPLE).places
         apart = camera_of(window).project(spots)[0] - truth.project(spots)[0]
         assert np.hypot(*apart.T).max() < 2.0
         assert control_point_errors(camera_of(window), found.pegs).max() < 3 * found.pegs[0].sd_px
-        after = window.document.ghosts.painted
+        after = window.services.ghosts.painted
         assert after
         assert all(ghost is not before.get(ghost.name) for ghost in after)
         assert window.canvas.found_plate.text.startswith(
@@ -251,7 +251,7 @@ class TestDragging:
         drag.drag(*places[0])
         all_done(qtbot)
         first = camera_pegs(window)[0]
-        world = wireframe_of(camera_of(window), window.document.state.field, SAMPLE)
+        world = wireframe_of(camera_of(window), window.services.state.field, SAMPLE)
         start = world.at(places[1][1], 30.0)
         end = start.px[0] + 12.0, start.px[1] - 7.0
         drag.carry(start.px, (start.px[0] + 9.0, start.px[1]), end)
@@ -280,7 +280,7 @@ class TestDragging:
         drag.press(moved.px)
         drag.release(moved.px)
         all_done(qtbot)
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
         window.canvas.undo()
         assert camera_pegs(window) == (moved,)
 
@@ -289,12 +289,12 @@ class TestDragging:
     ):
         drag.drag(*places[0])
         all_done(qtbot)
-        start = wireframe_of(camera_of(window), window.document.state.field, SAMPLE).at(
+        start = wireframe_of(camera_of(window), window.services.state.field, SAMPLE).at(
             places[1][1], 30.0
         )
         drag.drag(start.px, (start.px[0] + 12.0, start.px[1]))
         all_done(qtbot)
-        start = wireframe_of(camera_of(window), window.document.state.field, SAMPLE).at(
+        start = wireframe_of(camera_of(window), window.services.state.field, SAMPLE).at(
             places[2][1], 30.0
         )
         near, beyond = (start.px[0] + 12.0, start.px[1]), (start.px[0] + 900.0, start.px[1])
@@ -331,13 +331,13 @@ class TestTakingBack:
         drag.carry(*places[0])
         window.canvas.key("Escape")
         drag.release(places[0][1])
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
 
         drag.drag(*places[0])
         all_done(qtbot)
-        assert window.document.corrections.here is not None
+        assert window.services.corrections.here is not None
         window.canvas.key("Escape")
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
 
     def test_undo_goes_back_drag_by_drag_and_then_to_the_edits(self, window, drag, places, qtbot):
         drag.drag(*places[0])
@@ -348,9 +348,9 @@ class TestTakingBack:
         window.canvas.undo()
         assert camera_of(window) == first
         window.canvas.undo()
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
         said: list[str] = []
-        window.document.store.events.message.connect(lambda m: said.append(m.text))
+        window.services.store.events.message.connect(lambda m: said.append(m.text))
         window.canvas.undo()
         assert said == ["nothing to undo on this frame"]
 
@@ -359,17 +359,17 @@ class TestTakingBack:
         all_done(qtbot)
         QTest.keyClick(window.canvas, Key.Key_Return, SHIFT)
         all_done(qtbot)
-        assert window.document.state.annotation.annotated
+        assert window.services.state.annotation.annotated
         window.canvas.undo()
-        assert not window.document.state.annotation.annotated
-        assert window.document.corrections.here is not None
+        assert not window.services.state.annotation.annotated
+        assert window.services.corrections.here is not None
 
 
 class TestWhatComesOfIt:
     def test_nothing_is_saved_before_ghosts_are_accepted(
         self, window, annotated, drag, places, qtbot
     ):
-        document = window.document
+        services = window.services
         drag.drag(*places[0])
         all_done(qtbot)
         until_kept()
@@ -379,52 +379,52 @@ class TestWhatComesOfIt:
         all_done(qtbot)
         until_kept()
         assert (annotated / "00002.json").exists()
-        counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
+        counts = services.review.origin_counts(services.state.frame.name, services.state.annotation)
         assert set(counts) == {OriginKind.ACCEPTED}
-        assert not document.corrections.rules  # the clicks say more
-        assert document.foresight.insight.from_clicks
+        assert not services.corrections.rules  # the clicks say more
+        assert services.prediction.insight.from_clicks
 
     def test_it_stays_with_its_frame_and_goes_with_the_dataset(
         self, window, dataset, drag, places, qtbot
     ):
         drag.drag(*places[0])
         all_done(qtbot)
-        window.document.walk.go_to(2)
+        window.services.navigator.go_to(2)
         all_done(qtbot)
-        assert window.document.corrections.here is None
+        assert window.services.corrections.here is None
         assert not window.canvas.camera_drag.item.overlay.marks
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         all_done(qtbot)
         assert len(camera_pegs(window)) == 1
-        window.document.opening.open_path(dataset)
+        window.services.opening.open_path(dataset)
         all_done(qtbot)
-        assert not window.document.state.corrected
+        assert not window.services.state.corrected
 
     def test_the_fit_to_clicks_and_a_loaded_camera_can_be_dragged(
         self, make_window, annotated, qtbot, truth
     ):
         window = make_window(annotated)
-        document = window.document
-        document.walk.go_to(1)
-        document.live_fit.set_model("R")
+        services = window.services
+        services.navigator.go_to(1)
+        services.live_fit.set_model("R")
         all_done(qtbot)
         drag = CameraDrag(window)
-        frame = wireframe_of(truth, document.state.field, SAMPLE)
+        frame = wireframe_of(truth, services.state.field, SAMPLE)
         start = frame.at((480.0, 270.0), 500.0)
         drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
-        assert document.corrections.rules
+        assert services.corrections.rules
         window.canvas.undo()
-        assert document.corrections.here is None
+        assert services.corrections.here is None
 
-        document.live_fit.set_wanted(False)
-        document.camera_sources.load_cameras(annotated / "cameras" / "true")
+        services.live_fit.set_wanted(False)
+        services.camera_sources.load_cameras(annotated / "cameras" / "true")
         all_done(qtbot)
         drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
-        assert document.corrections.rules
+        assert services.corrections.rules
 
     def test_without_a_camera_it_is_said(self, make_window, annotated, qtbot):
         window = make_window(annotated)
-        window.document.live_fit.set_wanted(False)
+        window.services.live_fit.set_wanted(False)
         all_done(qtbot)
         CameraDrag(window).move((480.0, 270.0))
         qtbot.waitUntil(lambda: "no camera is known here" in window.status.hint.text())
@@ -474,8 +474,8 @@ class TestInAShot:
         monkeypatch.setattr(shot_tracker, "propose_camera", found)  # in a track's first frame
         video = Path(shutil.copyfile(written, tmp_path / "match.mp4"))
         window = make_window(dataset)
-        document = window.document
-        document.opening.open_workspace(open_video(video, range(0, COUNT, 4), document.state.field))
+        services = window.services
+        services.opening.open_workspace(open_video(video, range(0, COUNT, 4), services.state.field))
         all_done(qtbot)
         QTest.keyClick(window.canvas, Key.Key_T)
         qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
@@ -485,7 +485,7 @@ class TestInAShot:
     def test_the_frame_is_an_anchor_and_what_lies_around_it_is_followed_again(
         self, shot, drawn, qtbot, monkeypatch
     ):
-        document, track = shot.document, following.track_shot
+        services, track = shot.services, following.track_shot
         asked: list[dict[int, Any]] = []
 
         def noted(*args: Any, anchors: Any, **more: Any) -> Any:
@@ -493,30 +493,30 @@ class TestInAShot:
             return track(*args, anchors=anchors, **more)
 
         monkeypatch.setattr(following, "track_shot", noted)
-        document.walk.go_to(2)
+        services.navigator.go_to(2)
         all_done(qtbot)
         drag = CameraDrag(shot)
         (start, end), *_ = corners(shot, drawn.cameras[8], drawn.cameras[8])
         drag.drag(start, (end[0] + 14.0, end[1] + 9.0))
         drag.drag((end[0] + 14.0, end[1] + 9.0), end)
         all_done(qtbot)
-        assert document.shot_track.tracked[8].state == "anchor"
+        assert services.shot_track.tracked[8].state == "anchor"
         assert shot.strip.content.dragged == (8,)
         assert "its camera was dragged" in words(shot)
         assert asked == []  # while somebody is here
 
-        document.walk.go_to(3)
+        services.navigator.go_to(3)
         qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
         qtbot.waitUntil(lambda: not shot.shot_following.running, timeout=60_000)
         all_done(qtbot)
         assert [sorted(a) for a in asked] == [[8]]
-        assert document.shot_track.tracked[8].state == "anchor"
-        assert document.shot_track.tracked[7].anchor_distance == 1
-        assert len(document.shot_track.tracked) == COUNT
+        assert services.shot_track.tracked[8].state == "anchor"
+        assert services.shot_track.tracked[7].anchor_distance == 1
+        assert len(services.shot_track.tracked) == COUNT
 
     def test_taken_back_it_is_no_anchor_any_more(self, shot, drawn, qtbot):
-        document = shot.document
-        document.walk.go_to(2)
+        services = shot.services
+        services.navigator.go_to(2)
         all_done(qtbot)
         drag = CameraDrag(shot)
         (start, end), *_ = corners(shot, drawn.cameras[8], drawn.cameras[8])
@@ -525,12 +525,12 @@ class TestInAShot:
         all_done(qtbot)
         shot.canvas.undo()
         assert shot.strip.content.dragged == ()
-        document.walk.go_to(3)
-        qtbot.waitUntil(lambda: document.shot_track.tracked[8].state == "followed", timeout=60_000)
+        services.navigator.go_to(3)
+        qtbot.waitUntil(lambda: services.shot_track.tracked[8].state == "followed", timeout=60_000)
         all_done(qtbot)
 
 
 def words(window: MainWindow) -> str:
     from procc_annotator.gui.panels.timeline.shot_strip import strip_words
 
-    return strip_words(window.document, window.strip.content, window.strip.number)
+    return strip_words(window.services, window.strip.content, window.strip.number)

@@ -134,8 +134,8 @@ class TestZoomAndPan:
 
     @pytest.mark.parametrize("mode", ["draw", "edit"])
     def test_the_middle_button_pans_and_draws_nothing(self, window, hand, mode):
-        window.document.selecting.set_mode(mode)
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.set_mode(mode)
+        window.services.selection.select_class(MIDDLE)
         window.canvas.set_scale(4.0)
         before = window.canvas.to_picture(QPointF(200, 200))
         hand.drag((300, 150), (310, 155), Qt.MouseButton.MiddleButton)
@@ -144,7 +144,7 @@ class TestZoomAndPan:
         assert not window.canvas.editor.drawing
 
     def test_space_and_drag_pans_while_drawing(self, window, hand):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         hand.click(300, 100)
         window.canvas.set_scale(4.0)
         before = window.canvas.to_picture(QPointF(200, 200))
@@ -155,7 +155,7 @@ class TestZoomAndPan:
         assert (after[0] - before[0], after[1] - before[1]) == pytest.approx((-10, -5), abs=0.6)
         hand.click(310, 160)
         hand.key(Qt.Key.Key_Return)
-        polyline = window.document.state.annotation.get(MIDDLE)
+        polyline = window.services.state.annotation.get(MIDDLE)
         assert len(polyline.points) == 2
 
     def test_zoom_stays_across_frames_on_request_only(self, window, hand):
@@ -165,7 +165,7 @@ class TestZoomAndPan:
         hand.key(Qt.Key.Key_K, CTRL | SHIFT)
         window.canvas.set_scale(6.0)
         hand.key(Qt.Key.Key_A)
-        assert window.document.state.frame_index == 0
+        assert window.services.state.frame_index == 0
         assert window.canvas.view_scale == 6.0
 
     def test_magnified_pixels_are_not_smoothed(self, window):
@@ -183,45 +183,45 @@ class TestDraw:
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
 
     def test_a_double_click_finishes_without_doubling_the_point(self, window, hand, saved):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         first = hand.click(100, 50)
         last = hand.double_click(400, 250)
         np.testing.assert_allclose(saved(), [first, last], atol=1e-9)
         assert not window.canvas.editor.drawing
 
     def test_backspace_takes_back_the_last_point_and_escape_all(self, window, hand, saved):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         kept = [hand.click(100, 50), hand.click(120, 90)]
         hand.click(500, 300)
         hand.key(Qt.Key.Key_Backspace)
         hand.key(Qt.Key.Key_Return)
         np.testing.assert_allclose(saved(), kept, atol=1e-9)
-        window.document.selecting.select_class(TOP)
+        window.services.selection.select_class(TOP)
         hand.click(10, 10)
         hand.key(Qt.Key.Key_Escape)
         assert saved(TOP).size == 0
-        assert window.document.state.annotation.annotated == (MIDDLE,)
+        assert window.services.state.annotation.annotated == (MIDDLE,)
 
     def test_points_of_a_draft_survive_a_change_of_frame(self, window, hand, saved):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         clicked = [hand.click(100, 50), hand.click(120, 90)]
         hand.key(Qt.Key.Key_D)
-        assert window.document.state.frame_index == 1
+        assert window.services.state.frame_index == 1
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
         assert "Halfway line" in window.status.hint.text()
 
     def test_undo_while_drawing_takes_back_a_point(self, window, hand):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         hand.click(100, 50)
         hand.click(120, 90)
         hand.key(Qt.Key.Key_Z, CTRL)
         hand.key(Qt.Key.Key_Return)
-        polyline = window.document.state.annotation.get(MIDDLE)
+        polyline = window.services.state.annotation.get(MIDDLE)
         assert len(polyline.points) == 1
 
     def test_the_hint_says_what_the_next_click_does(self, window, hand):
         without = window.canvas.hint
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         chosen = window.canvas.hint
         hand.click(100, 50)
         drawing = window.canvas.hint
@@ -234,7 +234,7 @@ class TestDraw:
 class TestEdit:
     def test_dragging_a_point_moves_it_in_one_step(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (150, 200))
-        window.document.selecting.set_mode("edit")
+        window.services.selection.set_mode("edit")
         start, end = hand.picture(100, 50), hand.picture(220, 90)
         hand.drag((100, 50), (220, 90))
         expected = np.array(saved())[0]
@@ -246,7 +246,7 @@ class TestEdit:
     def test_a_point_is_picked_within_ten_screen_pixels_only(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (150, 200))
         before = saved()
-        window.document.selecting.set_mode("edit")
+        window.services.selection.set_mode("edit")
         screen = 1 / window.canvas.view_scale
         hand.drag((100 - 14 * screen, 50), (300, 50))
         np.testing.assert_array_equal(saved(), before)
@@ -255,7 +255,7 @@ class TestEdit:
 
     def test_alt_click_on_a_segment_inserts_a_point_there(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 250))
-        window.document.selecting.set_mode("edit")
+        window.services.selection.set_mode("edit")
         hand.click(100, 150, ALT)
         points = saved()
         assert len(points) == 3
@@ -263,7 +263,7 @@ class TestEdit:
 
     def test_alt_shift_click_and_delete_remove_points(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150), (100, 250))
-        window.document.selecting.set_mode("edit")
+        window.services.selection.set_mode("edit")
         hand.click(100, 150, ALT | SHIFT)
         assert len(saved()) == 2
         hand.click(100, 250)
@@ -272,7 +272,7 @@ class TestEdit:
 
     def test_arrows_nudge_by_one_and_a_tenth_of_a_pixel(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150))
-        window.document.selecting.set_mode("edit")
+        window.services.selection.set_mode("edit")
         hand.click(100, 50)
         before = saved()[0]
         hand.key(Qt.Key.Key_Right)
@@ -281,7 +281,7 @@ class TestEdit:
 
     def test_undo_and_redo_have_no_limit(self, window, hand, saved):
         hand.draw(MIDDLE, (100, 50), (100, 150))
-        window.document.selecting.set_mode("edit")
+        window.services.selection.set_mode("edit")
         hand.click(100, 50)
         start = saved()
         for _ in range(60):
@@ -306,11 +306,11 @@ class TestEdit:
 
 def test_hovering_a_line_tells_every_widget(window, hand):
     hand.draw(MIDDLE, (100, 50), (100, 250))
-    window.document.selecting.set_mode("edit")
+    window.services.selection.set_mode("edit")
     hand.move(100, 150)
-    assert window.document.state.hovered_class == MIDDLE
+    assert window.services.state.hovered_class == MIDDLE
     hand.move(300, 150)
-    assert window.document.state.hovered_class is None
+    assert window.services.state.hovered_class is None
 
 
 def test_holding_x_shows_the_bare_picture(window, hand, qtbot):
@@ -323,24 +323,24 @@ def test_holding_x_shows_the_bare_picture(window, hand, qtbot):
 
 
 def test_ctrl_delete_removes_the_element_while_drawing_too(window, hand, saved):
-    told = heard(window.document)
+    told = heard(window.services)
     hand.draw("Middle line", (300, 60), (310, 300))
     hand.draw("Side line top", (100, 60), (500, 60))
-    window.document.selecting.select_class("Middle line", continues=True)
+    window.services.selection.select_class("Middle line", continues=True)
     hand.click(320, 340)  # one more point is on its way
     assert window.canvas.editor.drawing
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert not window.canvas.editor.drawing
     assert len(saved("Middle line")) == 0
-    window.document.editing.undo()
+    window.services.editing.undo()
     assert len(saved("Middle line")) == 2
-    window.document.selecting.select_class("Side line left")
+    window.services.selection.select_class("Side line left")
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert told[-1] == "Left goal line has no points in this frame: choose the element to delete"
     hand.click(50, 100)
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert told[-1].startswith("dropped 1 point of ")
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert told[-1].startswith("choose the element to delete first")
     assert len(saved("Side line top")) == 2

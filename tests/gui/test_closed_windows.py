@@ -19,21 +19,21 @@ from tests.gui.conftest import all_done, let_work_end
 
 
 def open_and_close(qtbot: QtBot, path: Path) -> list[weakref.ref[QObject]]:
-    """What there is to be gone: a window and its document, after a look at every panel."""
+    """What there is to be gone: a window and its services, after a look at every panel."""
     window = build_window(path)
     window.resize(1280, 720)
     window.show()
     QApplication.processEvents()
-    assert window.document.camera_sources.load_cameras(path / "cameras" / "true")
-    window.document.camera_sources.set_active_camera(0)
-    window.document.walk.go_to(1)
+    assert window.services.camera_sources.load_cameras(path / "cameras" / "true")
+    window.services.camera_sources.set_active_camera(0)
+    window.services.navigator.go_to(1)
     for desk in WORKSPACES:
         window.panels.turn_to(desk)
         QApplication.processEvents()
     window.panels.show("plots")
     all_done(qtbot)
     assert not window.plots.page.is_empty
-    left: list[weakref.ref[QObject]] = [weakref.ref(window), weakref.ref(window.document)]
+    left: list[weakref.ref[QObject]] = [weakref.ref(window), weakref.ref(window.services)]
     window.close()
     window.deleteLater()
     del window

@@ -30,11 +30,11 @@ def _enter(window: MainWindow) -> None:
 
 
 def test_an_action_is_called_by_a_few_letters(window):
-    before = window.document.state.blind
+    before = window.services.state.blind
     _type(window, "blind mo")
     assert _titles(window)[0] == "Blind mode"
     _enter(window)
-    assert window.document.state.blind is not before
+    assert window.services.state.blind is not before
     assert not window.palette_.isVisible()
     assert window.canvas.hasFocus()
 
@@ -62,17 +62,17 @@ def test_everything_is_found(window, text, title):
 def test_elements_frames_and_thresholds_are_chosen(window):
     _type(window, "centre circle")
     _enter(window)
-    assert window.document.state.selected_class == "Circle central"
+    assert window.services.state.selected_class == "Circle central"
     _type(window, "frame_2")
     _enter(window)
-    assert window.document.state.frame.name == "frame_2"
+    assert window.services.state.frame.name == "frame_2"
     _type(window, "7,5")
     _enter(window)
-    assert window.document.state.tau == 7.5
+    assert window.services.state.tau == 7.5
     _type(window, "3")
     QTest.keyClick(window.palette_.search, Qt.Key.Key_Down)
     _enter(window)
-    assert window.document.state.frame_index == 2
+    assert window.services.state.frame_index == 2
 
 
 def test_folders_of_before_are_opened(make_window, dataset, tmp_path):
@@ -83,7 +83,7 @@ def test_folders_of_before_are_opened(make_window, dataset, tmp_path):
     window = make_window(dataset)
     _type(window, "second match")
     _enter(window)
-    assert window.document.state.frame.name == "kick"
+    assert window.services.state.frame.name == "kick"
 
 
 def test_what_was_called_last_comes_first(window):
@@ -97,7 +97,7 @@ def test_what_was_called_last_comes_first(window):
 
 
 def test_no_key_reaches_what_lies_below(window, hand, saved):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     hand.click(300, 100)
     QTest.keyClick(window.canvas, K, CTRL)
     search = window.palette_.search
@@ -105,7 +105,7 @@ def test_no_key_reaches_what_lies_below(window, hand, saved):
         QTest.keyClick(search, key)
     QTest.keyClick(search, Qt.Key.Key_Z, CTRL)
     QTest.keyClick(search, Qt.Key.Key_Escape)
-    assert window.document.state.frame_index == 0
+    assert window.services.state.frame_index == 0
     assert window.canvas.hasFocus()
     hand.click(300, 200)
     hand.key(Qt.Key.Key_Return)
@@ -162,7 +162,7 @@ def test_a_row_of_the_sheet_is_called_by_a_click(window, qtbot):
     QTest.keyClicks(sheet.search, "halfway line")
     at = sheet.table.visualRect(sheet.table.model().index(0, 0)).center()
     QTest.mouseClick(sheet.table.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    assert window.document.state.selected_class == "Middle line"
+    assert window.services.state.selected_class == "Middle line"
     assert not sheet.isVisible()
     QTest.keyClick(window.canvas, Qt.Key.Key_F1)
     qtbot.waitUntil(sheet.search.hasFocus)  # or Enter is the picture's

@@ -36,7 +36,7 @@ def hand(audited, hand_on) -> Hand:
 
 
 def named(window: MainWindow, name: str) -> CameraSource:
-    return next(s for s in window.document.state.sources if s.name == name)
+    return next(s for s in window.services.state.sources if s.name == name)
 
 
 def pixels(window: MainWindow) -> np.ndarray:
@@ -63,9 +63,9 @@ def near_colour(shown: np.ndarray, at: QPointF, colour: str) -> float:
 
 def seen_at(window: MainWindow, name: str) -> list[QPointF]:
     """Places of the view where a source shows an element, the middles of its segments."""
-    document = window.document
-    projected = document.source_frames.of(named(window, name)).projected
-    scale = [(p - 1) / (s - 1) for p, s in zip((1280, 720), document.state.setup.size, strict=True)]
+    services = window.services
+    projected = services.source_frames.of(named(window, name)).projected
+    scale = [(p - 1) / (s - 1) for p, s in zip((1280, 720), services.state.setup.size, strict=True)]
     places = []
     for pieces in projected.pieces.values():
         for piece in pieces:
@@ -90,11 +90,11 @@ class TestWireframes:
     def test_another_source_is_drawn_in_its_colour(self, audited):
         bad = named(audited, "bad")
         assert bad.colour == VIOLET
-        audited.document.camera_sources.set_source_colour(
+        audited.services.camera_sources.set_source_colour(
             bad, MAGENTA
         )  # nothing else on the picture is
         assert share_in_colour(audited, "bad", MAGENTA) > 0.8
-        audited.document.camera_sources.set_source_visible(bad, False)
+        audited.services.camera_sources.set_source_visible(bad, False)
         assert share_in_colour(audited, "bad", MAGENTA) < 0.1
 
     def test_one_key_hides_all_of_them(self, audited, hand):
@@ -115,15 +115,15 @@ class TestWireframes:
         assert named(audited, "pinhole").colour in colours
 
     def test_the_one_that_is_judged_has_none(self, audited):
-        audited.document.camera_sources.set_active_camera(1)
+        audited.services.camera_sources.set_active_camera(1)
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert VIOLET not in colours
         assert named(audited, "true").colour in colours
 
     def test_each_frame_has_its_own(self, audited, qtbot):
-        audited.document.camera_sources.set_source_colour(named(audited, "bad"), MAGENTA)
+        audited.services.camera_sources.set_source_colour(named(audited, "bad"), MAGENTA)
         before = audited.canvas.comparison.wireframes
-        audited.document.walk.next_frame()
+        audited.services.navigator.next_frame()
         settle(audited, qtbot)
         after = audited.canvas.comparison.wireframes
         assert len(after.strokes) == len(before.strokes)
@@ -131,10 +131,10 @@ class TestWireframes:
         assert share_in_colour(audited, "bad", MAGENTA) > 0.8
 
     def test_they_are_not_made_anew_while_points_are_dragged(self, audited, hand):
-        document = audited.document
-        document.selecting.set_mode("edit")
+        services = audited.services
+        services.selection.set_mode("edit")
         before = audited.canvas.comparison.wireframes
-        point = document.state.annotation.polylines[0].points[0]
+        point = services.state.annotation.polylines[0].points[0]
         at = point.u * 1279, point.v * 719
         hand.drag(at, (at[0] + 40, at[1] + 15))
         assert audited.canvas.comparison.wireframes is before
@@ -148,8 +148,8 @@ class TestBlink:
         QTest.keyRelease(window.canvas, Qt.Key.Key_Comma)
 
     def test_while_the_key_is_held_the_other_one_is_seen(self, audited, monkeypatch, qtbot):
-        canvas, document = audited.canvas, audited.document
-        document.camera_sources.compare_with(named(audited, "bad"))
+        canvas, services = audited.canvas, audited.services
+        services.camera_sources.compare_with(named(audited, "bad"))
         all_done(qtbot)  # the legend names what is drawn when nothing else is due
         at_first = pixels(audited)
         clock = [100.0]
@@ -160,30 +160,30 @@ class TestBlink:
         assert (during != at_first).any(axis=2).mean() > 0.001
         plate = audited.findChild(object, "blinkName")
         assert plate.isVisible()
-        assert plate.text == f"bad  ·  JaC {document.judge.compared[1].jac:.3f}"
+        assert plate.text == f"bad  ·  JaC {services.scorer.compared[1].jac:.3f}"
         clock[0] += 2.0
         self.release(audited)
         assert not plate.isVisible()
-        assert document.state.active.name == "true"
+        assert services.state.active.name == "true"
         all_done(qtbot)
         assert np.array_equal(pixels(audited), at_first)
 
     def test_a_tap_changes_their_places(self, audited):
-        document = audited.document
-        document.camera_sources.compare_with(named(audited, "bad"))
+        services = audited.services
+        services.camera_sources.compare_with(named(audited, "bad"))
         for active, compared in (("bad", "true"), ("true", "bad")):
             self.press(audited)
             self.release(audited)
-            assert document.state.active.name == active
-            assert document.state.compared.name == compared
+            assert services.state.active.name == active
+            assert services.state.compared.name == compared
 
     def test_alone_it_says_what_is_missing(self, audited):
         for _ in range(2):
-            audited.document.camera_sources.remove_camera_set(1)
+            audited.services.camera_sources.remove_camera_set(1)
         self.press(audited)
         assert "second set" in audited.status.hint.text()
         self.release(audited)
-        assert audited.document.state.active.name == "true"
+        assert audited.services.state.active.name == "true"
 
 
 class TestKeysHeldElsewhere:
@@ -211,8 +211,8 @@ class TestKeysHeldElsewhere:
 
     @pytest.mark.parametrize("where", ["frames", "source"])
     def test_the_other_source_is_seen_while_comma_is_down(self, audited, qtbot, where, monkeypatch):
-        canvas, document = audited.canvas, audited.document
-        document.camera_sources.compare_with(named(audited, "bad"))
+        canvas, services = audited.canvas, audited.services
+        services.camera_sources.compare_with(named(audited, "bad"))
         focused = self.focus(audited, qtbot, where)
         clock = [100.0]
         monkeypatch.setattr("procc_annotator.gui.canvas.comparison.monotonic", lambda: clock[0])
@@ -222,7 +222,7 @@ class TestKeysHeldElsewhere:
         assert canvas.comparison.looking
         clock[0] += 2.0
         QTest.keyRelease(canvas, Qt.Key.Key_Comma)
-        assert canvas.comparison.front is document.state.active is named(audited, "true")
+        assert canvas.comparison.front is services.state.active is named(audited, "true")
 
     def test_bare_picture_and_loupe(self, audited, qtbot, hand):
         canvas = audited.canvas
@@ -246,8 +246,8 @@ class TestKeysHeldElsewhere:
         assert audited.canvas.overlay_item.overlay.strokes
 
     def test_what_is_held_ends_when_the_key_cannot_be_seen_coming_up(self, audited, qtbot):
-        canvas, document = audited.canvas, audited.document
-        document.camera_sources.compare_with(named(audited, "bad"))
+        canvas, services = audited.canvas, audited.services
+        services.camera_sources.compare_with(named(audited, "bad"))
         focused = self.focus(audited, qtbot, "frames")
         for lost_to in ("field", "menu"):
             focused.setFocus()
@@ -261,7 +261,7 @@ class TestKeysHeldElsewhere:
                 QApplication.sendEvent(focused, away)
             assert not canvas.comparison.looking
             assert canvas.overlay_item.overlay.strokes
-            assert document.state.active is named(audited, "true")
+            assert services.state.active is named(audited, "true")
 
 
 class TestSplit:
@@ -270,21 +270,21 @@ class TestSplit:
         # Texts give way to each other within what can be seen of their side.
         nothing = "procc_annotator.gui.canvas.overlay_painter.paint_plates"
         monkeypatch.setattr(nothing, lambda *_, **__: None)
-        audited.document.camera_sources.compare_with(named(audited, "bad"))
-        for source in audited.document.state.sources:
-            audited.document.camera_sources.set_source_visible(source, False)
+        audited.services.camera_sources.compare_with(named(audited, "bad"))
+        for source in audited.services.state.sources:
+            audited.services.camera_sources.set_source_visible(source, False)
         self.whole = pixels(audited)
         QTest.keyClick(audited.canvas, Qt.Key.Key_B, CTRL)
         assert audited.canvas.comparison.split.shown
 
     def alone(self, window: MainWindow, name: str) -> np.ndarray:
         """The view when a source is judged and nothing is divided."""
-        document = window.document
+        services = window.services
         QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
-        active = document.state.active
-        document.camera_sources.set_active_camera(document.state.sources.index(named(window, name)))
+        active = services.state.active
+        services.camera_sources.set_active_camera(services.state.sources.index(named(window, name)))
         shown = pixels(window)
-        document.camera_sources.set_active_camera(document.state.sources.index(active))
+        services.camera_sources.set_active_camera(services.state.sources.index(active))
         QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
         return shown
 
@@ -297,9 +297,9 @@ class TestSplit:
         assert not same(other[top:bottom, left], self.whole[top:bottom, left])
 
     def test_names_stand_at_the_top(self, audited):
-        split, document = audited.canvas.comparison.split, audited.document
-        assert split.left.text == f"true  ·  JaC {document.judge.score.jac:.3f}"
-        assert split.right.text == f"bad  ·  JaC {document.judge.compared[1].jac:.3f}"
+        split, services = audited.canvas.comparison.split, audited.services
+        assert split.left.text == f"true  ·  JaC {services.scorer.score.jac:.3f}"
+        assert split.right.text == f"bad  ·  JaC {services.scorer.compared[1].jac:.3f}"
         assert split.left.geometry().right() < split.x < split.right.geometry().left()
 
     def drag_divider(self, window: MainWindow, by: int) -> None:
@@ -332,9 +332,9 @@ class TestSplit:
         assert split.x == before + 8
 
     def test_clicks_on_the_line_are_clicks_on_the_picture(self, audited, hand):
-        document, canvas = audited.document, audited.canvas
-        document.selecting.set_option("snapping", False)
-        document.selecting.select_class("Circle central")
+        services, canvas = audited.services, audited.canvas
+        services.selection.set_option("snapping", False)
+        services.selection.select_class("Circle central")
         view = QPoint(round(canvas.comparison.split.x), 330)
         target = canvas.viewport().childAt(view)
         while target is not None and target.testAttribute(
@@ -345,7 +345,7 @@ class TestSplit:
         QTest.mouseClick(canvas.viewport(), LEFT, NONE, view)
         QTest.mouseClick(canvas.viewport(), LEFT, NONE, view + QPoint(40, 10))
         hand.key(Qt.Key.Key_Return)
-        points = document.state.annotation.get("Circle central").points
+        points = services.state.annotation.get("Circle central").points
         assert canvas.to_picture(QPointF(view)) == pytest.approx(
             (points[0].u * 1279, points[0].v * 719), abs=1e-6
         )
@@ -376,15 +376,15 @@ class TestSplit:
         assert split.grip.isVisible()
 
     def test_both_sides_follow_a_point_that_is_dragged(self, audited):
-        document, hand = audited.document, Hand(audited)
-        document.selecting.set_mode("edit")
-        polyline = document.state.annotation.get("Big rect. left main")
+        services, hand = audited.services, Hand(audited)
+        services.selection.set_mode("edit")
+        polyline = services.state.annotation.get("Big rect. left main")
         point = polyline.points[-1]
         at = point.u * 1279, point.v * 719
-        before = document.judge.compared[1].labelling.all_distances.copy()
+        before = services.scorer.compared[1].labelling.all_distances.copy()
         hand.drag(at, (at[0] + 30, at[1] + 12))
-        assert not np.array_equal(document.judge.compared[1].labelling.all_distances, before)
-        assert document.judge.compared[1].jac == pytest.approx(
+        assert not np.array_equal(services.scorer.compared[1].labelling.all_distances, before)
+        assert services.scorer.compared[1].jac == pytest.approx(
             float(audited.canvas.comparison.split.right.text.split("JaC")[1]), abs=5e-4
         )
 
@@ -393,28 +393,28 @@ class TestDisagreement:
     @pytest.fixture
     def plain(self, audited) -> np.ndarray:
         """The canvas without it; of a fixture, for pytest keeps what a test's object holds."""
-        for source in audited.document.state.sources:
-            audited.document.camera_sources.set_source_visible(source, False)
-        audited.document.camera_sources.compare_with(named(audited, "bad"))
+        for source in audited.services.state.sources:
+            audited.services.camera_sources.set_source_visible(source, False)
+        audited.services.camera_sources.compare_with(named(audited, "bad"))
         audited.panels.show("cameras")
         return pixels(audited)
 
     @pytest.fixture(autouse=True)
     def show(self, audited, plain, qtbot) -> None:
         audited.actions_["disagreement"].trigger()
-        qtbot.waitUntil(lambda: audited.document.disagreement.value is not None)
+        qtbot.waitUntil(lambda: audited.services.disagreement.value is not None)
 
     def cameras(self, window: MainWindow) -> tuple[object, object]:
-        frames = window.document.source_frames
+        frames = window.services.source_frames
         return tuple(frames.of(named(window, n)).camera for n in ("true", "bad"))
 
     def text(self, window: MainWindow, name: str) -> str:
         return window.findChild(QLabel, name).text()
 
     def test_figures_are_those_of_the_metric(self, audited, qtbot):
-        document = audited.document
+        services = audited.services
         found = disagreement(
-            *self.cameras(audited), document.state.field, document.state.setup.size
+            *self.cameras(audited), services.state.field, services.state.setup.size
         )
         for unit, decimals in (("m", 2), ("px", 1)):
             spread = found.statistics.metres if unit == "m" else found.statistics.pixels
@@ -448,7 +448,7 @@ class TestDisagreement:
 
     def test_the_field_map_is_covered_where_it_is_seen(self, audited, qtbot):
         panel = audited.field_map
-        qtbot.waitUntil(lambda: audited.document.map_sight.shown is not None)
+        qtbot.waitUntil(lambda: audited.services.visible_region.shown is not None)
         covered = panel.grab().toImage()
         seen = panel.to_widget(-40.0, 15.0).toPoint()
         unseen = panel.to_widget(5.0, 20.0).toPoint()
@@ -467,20 +467,20 @@ class TestDisagreement:
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited, qtbot):
-        audited.document.blind_lock.set_blind(True)
-        assert audited.document.disagreement.value is None
+        audited.services.blind_lock.set_blind(True)
+        assert audited.services.disagreement.value is None
         assert not audited.canvas.maps.legend.title
         qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
-        audited.document.blind_lock.set_blind(False)
-        qtbot.waitUntil(lambda: audited.document.disagreement.value is not None)
+        audited.services.blind_lock.set_blind(False)
+        qtbot.waitUntil(lambda: audited.services.disagreement.value is not None)
 
     def test_another_frame_or_source_is_worked_out_anew(self, audited, qtbot):
-        document = audited.document
-        first = document.disagreement.value
-        document.walk.next_frame()
-        assert document.disagreement.value is None  # never that of the frame before
-        qtbot.waitUntil(lambda: document.disagreement.value is not None)
-        second = document.disagreement.value
+        services = audited.services
+        first = services.disagreement.value
+        services.navigator.next_frame()
+        assert services.disagreement.value is None  # never that of the frame before
+        qtbot.waitUntil(lambda: services.disagreement.value is not None)
+        second = services.disagreement.value
         assert second.values.statistics != first.values.statistics
         box = audited.findChild(QComboBox, "cameras_compared")
         qtbot.waitUntil(lambda: box.count() == 2)
@@ -488,64 +488,64 @@ class TestDisagreement:
         box.activated.emit(1)
         qtbot.waitUntil(
             lambda: (
-                document.disagreement.value is not None
-                and document.disagreement.value.names == ("true", "pinhole")
+                services.disagreement.value is not None
+                and services.disagreement.value.names == ("true", "pinhole")
             )
         )
 
     def test_what_was_asked_for_before_never_arrives_late(self, audited, qtbot):
-        document = audited.document
+        services = audited.services
         for index in (2, 3, 5, 4, 1):
-            document.walk.go_to(index)
-        qtbot.waitUntil(lambda: document.disagreement.value is not None)
+            services.navigator.go_to(index)
+        qtbot.waitUntil(lambda: services.disagreement.value is not None)
         all_done(qtbot)
         expected = disagreement(
-            *self.cameras(audited), document.state.field, document.state.setup.size
+            *self.cameras(audited), services.state.field, services.state.setup.size
         )
-        assert document.disagreement.value.values.statistics == expected.statistics
+        assert services.disagreement.value.values.statistics == expected.statistics
 
     def test_a_camera_missing_in_one_is_said(self, audited, qtbot):
-        audited.document.walk.go_to(3)
+        audited.services.navigator.go_to(3)
         qtbot.waitUntil(lambda: self.text(audited, "disagreement_problem") != "")
         assert self.text(audited, "disagreement_problem") == "bad: no camera for this frame."
 
     def test_the_same_cameras_are_said_to_be(self, audited, annotated, qtbot):
-        document = audited.document
+        services = audited.services
         (annotated / "cameras" / "true").rename(annotated / "cameras" / "copy")
-        document.camera_sources.load_cameras(annotated / "cameras" / "copy")
-        document.camera_sources.compare_with(named(audited, "true"))
-        qtbot.waitUntil(lambda: "the same" in document.disagreement.problem)
-        assert document.disagreement.value.values.statistics.metres.maximum < 1e-6
+        services.camera_sources.load_cameras(annotated / "cameras" / "copy")
+        services.camera_sources.compare_with(named(audited, "true"))
+        qtbot.waitUntil(lambda: "the same" in services.disagreement.problem)
+        assert services.disagreement.value.values.statistics.metres.maximum < 1e-6
 
     def test_a_source_of_projections_alone_has_no_ground(self, audited, qtbot):
-        document = audited.document
+        services = audited.services
         bad = named(audited, "bad")
         shown = SourceFrame(camera=ElementProjections({}), model="projections")
-        document.source_frames.put(bad.camera_set, document.state.frame.name, shown)
-        document.disagreement.look()
-        assert "no ground to compare" in document.disagreement.problem
-        assert document.disagreement.problem.startswith("bad shares only")
+        services.source_frames.put(bad.camera_set, services.state.frame.name, shown)
+        services.disagreement.look()
+        assert "no ground to compare" in services.disagreement.problem
+        assert services.disagreement.problem.startswith("bad shares only")
 
     def test_without_a_second_source_it_says_what_is_missing(self, audited):
         for _ in range(2):
-            audited.document.camera_sources.remove_camera_set(1)
-        assert audited.document.disagreement.problem.startswith("Two sources")
+            audited.services.camera_sources.remove_camera_set(1)
+        assert audited.services.disagreement.problem.startswith("Two sources")
         legend = audited.canvas.maps.legend
-        assert (legend.title, legend.problem) == ("", audited.document.disagreement.problem)
+        assert (legend.title, legend.problem) == ("", audited.services.disagreement.problem)
 
     def test_without_a_judged_source_it_says_to_choose_one(self, audited):
-        audited.document.camera_sources.set_active_camera(-1)
+        audited.services.camera_sources.set_active_camera(-1)
         problem = "No source is judged: choose one first."
-        assert audited.document.disagreement.problem == problem
-        while len(audited.document.state.sources) > 1:
-            audited.document.camera_sources.remove_camera_set(0)
-        assert audited.document.disagreement.problem.startswith("Two sources")
+        assert audited.services.disagreement.problem == problem
+        while len(audited.services.state.sources) > 1:
+            audited.services.camera_sources.remove_camera_set(0)
+        assert audited.services.disagreement.problem.startswith("Two sources")
 
     def test_without_any_source_there_is_no_choice(self, audited, qtbot):
         comparing = audited.cameras.comparing
         qtbot.waitUntil(comparing.isVisible)
-        while audited.document.state.sources:
-            audited.document.camera_sources.remove_camera_set(0)
+        while audited.services.state.sources:
+            audited.services.camera_sources.remove_camera_set(0)
         qtbot.waitUntil(lambda: not comparing.isVisible())
 
     def test_the_legend_says_the_unit_whatever_the_names(self, audited, qtbot, monkeypatch):
@@ -557,8 +557,8 @@ class TestDisagreement:
                 super().drawText(*given)
 
         monkeypatch.setattr("procc_annotator.gui.canvas.metre_maps.QPainter", Painter)
-        for source in audited.document.state.sources:
-            audited.document.camera_sources.rename_source(
+        for source in audited.services.state.sources:
+            audited.services.camera_sources.rename_source(
                 source, f"cameras of {source.name} with a long name"
             )
         legend = audited.canvas.maps.legend

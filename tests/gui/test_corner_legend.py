@@ -28,7 +28,7 @@ def test_it_explains_what_is_there(begun, qtbot):
 
 
 def test_verdicts_and_sources_are_named(audited, qtbot):
-    audited.document.camera_sources.set_active_camera(1)
+    audited.services.camera_sources.set_active_camera(1)
     assert texts(audited)[:2] == ["passes", "too far"]
     assert {"projection", "true"} <= set(texts(audited))
     audited.actions_["others"].trigger()

@@ -32,12 +32,12 @@ def told(window: MainWindow) -> Labels:
 
 
 def test_class_points_and_snapping_stand_at_the_cursor(lined):
-    hand, document = Hand(lined), lined.document
-    document.selecting.select_class(MIDDLE)
+    hand, services = Hand(lined), lined.services
+    services.selection.select_class(MIDDLE)
     hand.move(322, 100)
     assert told(lined).texts == ("Halfway line  2 to go",)
     signs = told(lined).hand
-    assert (signs.colour, signs.snap) == (document.state.field.element(MIDDLE).colour, "found")
+    assert (signs.colour, signs.snap) == (services.state.field.element(MIDDLE).colour, "found")
     hand.move(100, 100)
     assert told(lined).hand.snap == "none"
     lined.actions_["snapping"].trigger()
@@ -49,11 +49,11 @@ def test_class_points_and_snapping_stand_at_the_cursor(lined):
     hand.click(322, 200)
     hand.move(322, 300)
     assert told(lined).texts == ("Halfway line  2 points",)
-    document.selecting.select_class("Circle central")  # another one: a curve takes more
+    services.selection.select_class("Circle central")  # another one: a curve takes more
     hand.move(200, 200)
     assert told(lined).texts == ("Centre circle  5 to go",)
     hand.key(Qt.Key.Key_Escape)
-    document.selecting.set_mode("edit")
+    services.selection.set_mode("edit")
     hand.move(210, 200)
     assert not [x for x in lined.canvas.overlay_item.gesture.labels if x.hand is not None]
 
@@ -73,7 +73,7 @@ def test_texts_over_the_picture_grow_with_the_setting(lined):
         rows, columns = np.nonzero(np.abs(shown - bare)[around].max(axis=2) > 40)
         return int(np.ptp(columns)), int(np.ptp(rows))
 
-    lined.document.selecting.select_class(MIDDLE)
+    lined.services.selection.select_class(MIDDLE)
     usual = painted()
     application = QApplication.instance()
     try:

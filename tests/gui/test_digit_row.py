@@ -45,19 +45,19 @@ def test_french_digits_without_shift(window):
         (2, Qt.Key.Key_Eacute, "é"),
         (10, Qt.Key.Key_Agrave, "à"),
     ):
-        window.document.selecting.select_class(None)
+        window.services.selection.select_class(None)
         assert strike(window.canvas, place, key, text)
         shortcut = str(place % 10)
         expected = next(
-            e.name for e in window.document.state.field.elements if e.shortcut == shortcut
+            e.name for e in window.services.state.field.elements if e.shortcut == shortcut
         )
-        assert window.document.state.selected_class == expected
+        assert window.services.state.selected_class == expected
 
 
 def test_french_digits_with_shift(window):
     strike(window.canvas, 1, Qt.Key.Key_1, "1", SHIFT)
-    expected = next(e.name for e in window.document.state.field.elements if e.shortcut == "Shift+1")
-    assert window.document.state.selected_class == expected
+    expected = next(e.name for e in window.services.state.field.elements if e.shortcut == "Shift+1")
+    assert window.services.state.selected_class == expected
 
 
 def test_the_french_sixth_key_is_no_minus(window):
@@ -68,32 +68,32 @@ def test_the_french_sixth_key_is_no_minus(window):
 
 def test_the_german_slash_is_a_digit_with_shift(window):
     assert strike(window.canvas, 7, Qt.Key.Key_Slash, "/", SHIFT)
-    expected = next(e.name for e in window.document.state.field.elements if e.shortcut == "Shift+7")
-    assert window.document.state.selected_class == expected
+    expected = next(e.name for e in window.services.state.field.elements if e.shortcut == "Shift+7")
+    assert window.services.state.selected_class == expected
     assert window.canvas.hasFocus()
 
 
 def test_what_is_typed_stays_text(window):
     window.frames.focus_filter()
     box: QLineEdit = window.frames.filter
-    before = window.document.state.selected_class
+    before = window.services.state.selected_class
     strike(box, 1, Qt.Key.Key_Ampersand, "&")
     assert box.text() == "&"
-    assert window.document.state.selected_class == before
+    assert window.services.state.selected_class == before
     box.clear()
 
 
 def test_third_level_keys_are_none_of_its_business(window):
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     assert not strike(window.canvas, 7, Qt.Key.Key_BraceLeft, "{", ALTGR)
-    assert window.document.state.selected_class is None
+    assert window.services.state.selected_class is None
 
 
 def test_the_german_and_swiss_point_says_not_visible(window):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     strike(window.canvas, 51, Qt.Key.Key_Period, ".")
-    frame = window.document.state.frame
-    assert "Middle line" in window.document.review.not_visible(frame.name)
+    frame = window.services.state.frame
+    assert "Middle line" in window.services.review.not_visible(frame.name)
 
 
 def test_the_swiss_and_german_comma_blinks_as_it_is_held(window):
@@ -106,10 +106,10 @@ def test_the_swiss_and_german_comma_blinks_as_it_is_held(window):
     [(7, Qt.Key.Key_Slash, "/"), (8, Qt.Key.Key_ParenLeft, "("), (1, Qt.Key.Key_Plus, "+")],
 )
 def test_swiss_digits_with_shift(window, place, key, text):
-    window.document.selecting.select_class(None)
-    before = window.document.state.tau
+    window.services.selection.select_class(None)
+    before = window.services.state.tau
     strike(window.canvas, place, key, text, SHIFT)
-    chosen = window.document.state.selected_class
-    shortcuts = {e.shortcut: e.name for e in window.document.state.field.elements}
+    chosen = window.services.state.selected_class
+    shortcuts = {e.shortcut: e.name for e in window.services.state.field.elements}
     assert chosen == shortcuts.get(f"Shift+{place}")
-    assert window.document.state.tau == before
+    assert window.services.state.tau == before

@@ -28,9 +28,9 @@ class _Held:
     def __init__(self, window: MainWindow, qtbot: QtBot) -> None:
         self.window, self.canvas, self._hand = window, window.canvas, Hand(window)
         self._qtbot = qtbot
-        window.document.selecting.set_mode("edit")
-        polyline = window.document.state.annotation.get(ELEMENT)
-        size = window.document.state.picture_size
+        window.services.selection.set_mode("edit")
+        polyline = window.services.state.annotation.get(ELEMENT)
+        size = window.services.state.picture_size
         u, v = polyline.points[0][:2]
         self.at = u * (size[0] - 1), v * (size[1] - 1)
 
@@ -99,13 +99,13 @@ def test_a_carried_point(audited, qtbot, prepare):
 @pytest.mark.parametrize(
     "happens",
     [
-        lambda window: window.document.selecting.select_class("Middle line"),
+        lambda window: window.services.selection.select_class("Middle line"),
         lambda window: window.canvas.undo(),
         lambda window: window.canvas.set_look(DisplayAdjustment(brightness=0.2)),
-        lambda window: window.document.camera_sources.set_active_camera(1),
-        lambda window: window.document.terms.set_tau(12.0),
+        lambda window: window.services.camera_sources.set_active_camera(1),
+        lambda window: window.services.evaluation.set_tau(12.0),
         lambda window: window.canvas.drawing.set_colour_by("class"),
-        lambda window: window.document.walk.go_to(2),
+        lambda window: window.services.navigator.go_to(2),
         lambda window: window.resize(window.width() - 120, window.height() - 80),
     ],
     ids=["selected", "undone", "look", "source", "threshold", "colours", "frame", "resized"],
@@ -136,7 +136,7 @@ def test_the_cursor_is_told_once_it_is_let_go(audited, qtbot):
 
 
 def _places(window: MainWindow) -> np.ndarray:
-    polyline = window.document.state.annotation.get(ELEMENT)
+    polyline = window.services.state.annotation.get(ELEMENT)
     return np.array([point[:2] for point in polyline.points])
 
 
@@ -183,7 +183,7 @@ def test_a_point_whose_release_went_elsewhere_stays_where_it_was_seen(audited, q
     there = audited.canvas.cursor_px
     held._hand._move(held.grip + WAY[3], Qt.MouseButton.NoButton)
     assert not audited.canvas.editor.holding
-    w, h = audited.document.state.picture_size or (0, 0)
+    w, h = audited.services.state.picture_size or (0, 0)
     moved = (_places(audited) - before)[0] * (w - 1, h - 1)
     assert moved == pytest.approx((there[0] - x, there[1] - y), abs=0.01)
 

@@ -39,6 +39,6 @@ def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited):
     table = audited.findChild(QTableView, "scores_table")
     assert isinstance(table.itemDelegateForColumn(ELEMENT), TitleDelegate)
     audited.panels.show("scores")
-    title = audited.document.state.field.title_of("Big rect. left main")
+    title = audited.services.state.field.title_of("Big rect. left main")
     tips = [table.model().index(r, 0).data(3) for r in range(table.model().rowCount())]
     assert any(tip.startswith(f"{title}\n") for tip in tips)

@@ -63,10 +63,10 @@ def test_annotate_correct_judge_and_export_the_sample(
     make_window, sample, qtbot, monkeypatch, tmp_path
 ):
     window = make_window(sample, size=(1600, 900))
-    hand, document = Hand(window), window.document
-    document.selecting.set_option("snapping", False)  # this test is about exact clicks
+    hand, services = Hand(window), window.services
+    services.selection.set_option("snapping", False)  # this test is about exact clicks
     truth = CameraSet.open(sample / "cameras" / "true").camera("00005", EVALUATION)
-    document.walk.go_to(document.state.workspace.index["00005"])
+    services.navigator.go_to(services.state.workspace.index["00005"])
     file = sample / "00005.json"
     assert not file.exists()
 
@@ -93,14 +93,14 @@ def test_annotate_correct_judge_and_export_the_sample(
     np.testing.assert_allclose(np.delete(moved, 1, axis=0), np.delete(line, 1, axis=0), atol=1e-9)
 
     # Judge: the moved element fails at 5 px, the arc passes.
-    document.camera_sources.load_cameras(sample / "cameras" / "true")
+    services.camera_sources.load_cameras(sample / "cameras" / "true")
     field = load_field()
     annotation = read_annotation(file.read_bytes(), path=str(file), field=field)
     expected = score(measure(annotation, truth.camera, EvaluationSetup(field)), 5.0)
     verdicts = {e.annotated_name: e.status for e in expected.elements}
     assert verdicts[MAIN] == "too_far"
     assert verdicts[ARC] == "tp"
-    assert (document.judge.score.tp, document.judge.score.fp, document.judge.score.fn) == (
+    assert (services.scorer.score.tp, services.scorer.score.fp, services.scorer.score.fn) == (
         expected.tp,
         expected.fp,
         expected.fn,
@@ -108,8 +108,8 @@ def test_annotate_correct_judge_and_export_the_sample(
 
     # A larger tau accepts it.
     window.top_bar.camera_bar.tau.spin.setValue(30.0)
-    assert document.state.tau == 30.0
-    assert document.judge.score.tp == expected.tp + 1
+    assert services.state.tau == 30.0
+    assert services.scorer.score.tp == expected.tp + 1
 
     # Export, and compare with what was clicked.
     export(window, qtbot, monkeypatch, "export_annotations", tmp_path / "out")
@@ -120,7 +120,7 @@ def test_annotate_correct_judge_and_export_the_sample(
     export(window, qtbot, monkeypatch, "export_scores", table)
     header, *rows = [row.split(",") for row in table.read_text().splitlines()]
     (row,) = [dict(zip(header, r, strict=True)) for r in rows if r[0] == "00005"]
-    assert float(row["jac"]) == pytest.approx(document.judge.score.jac, abs=1e-6)
+    assert float(row["jac"]) == pytest.approx(services.scorer.score.jac, abs=1e-6)
 
 
 def test_annotate_a_real_frame(make_window, shared_data, tmp_path):
@@ -131,7 +131,7 @@ def test_annotate_a_real_frame(make_window, shared_data, tmp_path):
     reference = json.loads((shared_data / "frames" / "bra_mex.json").read_text())
     window = make_window(folder, size=(1600, 900))
     hand = Hand(window)
-    window.document.selecting.set_option("snapping", False)
+    window.services.selection.set_option("snapping", False)
     names = [name for name, points in reference.items() if len(points) >= 2][:2]
     for name in names:
         wanted = on_disk(shared_data / "frames" / "bra_mex.json", name)

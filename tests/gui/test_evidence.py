@@ -56,14 +56,14 @@ def strips(window: MainWindow) -> set[str]:
 
 
 def test_strips_are_drawn_once_they_are_asked_for(annotated, qtbot):
-    document = annotated.document
-    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    services = annotated.services
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
     assert strips(annotated) == set()
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: tones.PASSES in strips(annotated))
-    seen = document.paint_watch.value
-    assert set(seen) == set(document.state.annotation.polylines) - {
-        p for p in document.state.annotation.polylines if p not in seen
+    seen = services.line_pixels.value
+    assert set(seen) == set(services.state.annotation.polylines) - {
+        p for p in services.state.annotation.polylines if p not in seen
     }
     under = np.concatenate([one.paint == LinePresence.UNDER for one in seen.values()])
     assert under.mean() > 0.6
@@ -72,14 +72,14 @@ def test_strips_are_drawn_once_they_are_asked_for(annotated, qtbot):
 
 
 def test_blind_mode_may_see_it(annotated, qtbot):
-    annotated.document.blind_lock.set_blind(True)
+    annotated.services.blind_lock.set_blind(True)
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: tones.PASSES in strips(annotated), timeout=20_000)
 
 
 def test_only_what_changed_is_looked_at_again(annotated, hand_on, qtbot, monkeypatch):
-    document, looked_at = annotated.document, []
-    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    services, looked_at = annotated.services, []
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
     really = evidence_module._along
 
     def along(polyline: Polyline, *rest, **more):
@@ -87,57 +87,57 @@ def test_only_what_changed_is_looked_at_again(annotated, hand_on, qtbot, monkeyp
         return really(polyline, *rest, **more)
 
     monkeypatch.setattr(evidence_module, "_along", along)
-    name = document.state.annotation.polylines[0].class_name
-    document.selecting.select_point(name, 0)
+    name = services.state.annotation.polylines[0].class_name
+    services.selection.select_point(name, 0)
     hand_on(annotated).key(Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
     assert looked_at == [name]
 
 
 def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(bent, hand_on, qtbot):
-    document, hand = bent.document, hand_on(bent)
-    told = heard(document)
-    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    services, hand = bent.services, hand_on(bent)
+    told = heard(services)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
     hand.draw("Side line top", (102, 300), (858, 300))
 
     def found() -> list[Rule]:
-        return [f.finding.rule for f in document.label_check.shown]
+        return [f.finding.rule for f in services.label_check.shown]
 
     qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found(), timeout=20_000)
     assert any("(R)" in text and "5 px" in text for text in told)
-    assert BENT in {notice.key for notice in document.state.notices}
-    document.selecting.select_class("Side line top")
+    assert BENT in {notice.key for notice in services.state.notices}
+    services.selection.select_class("Side line top")
     hand.key(Qt.Key.Key_R)
-    qtbot.waitUntil(lambda: len(document.state.annotation.get("Side line top").points) > 2)
-    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: len(services.state.annotation.get("Side line top").points) > 2)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
     assert Rule.BESIDE_PAINT not in found()
-    qtbot.waitUntil(lambda: BENT not in {notice.key for notice in document.state.notices})
+    qtbot.waitUntil(lambda: BENT not in {notice.key for notice in services.state.notices})
 
 
 def test_the_remedy_puts_its_points_along_the_paint(bent, hand_on, qtbot):
     """One key, or the button of the list, whatever else is chosen; and one step of undo."""
-    document, hand = bent.document, hand_on(bent)
-    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    services, hand = bent.services, hand_on(bent)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
     hand.draw("Side line top", (102, 300), (858, 300))
-    two = document.state.annotation
+    two = services.state.annotation
 
     def found() -> list[StoredFinding]:
-        every = document.label_check.shown
+        every = services.label_check.shown
         return [f for f in every if f.finding.rule is Rule.BESIDE_PAINT]
 
     qtbot.waitUntil(lambda: bool(found()), timeout=20_000)
-    document.selecting.select_class("Side line bottom")
+    services.selection.select_class("Side line bottom")
     remedy = found()[0].finding.remedies[0]
     bent.label_check.apply(found()[0], remedy)
-    qtbot.waitUntil(lambda: len(document.state.annotation.get("Side line top").points) > 2)
-    qtbot.waitUntil(lambda: document.label_check.checked is not None and not found())
+    qtbot.waitUntil(lambda: len(services.state.annotation.get("Side line top").points) > 2)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None and not found())
     hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert document.state.annotation == two
+    assert services.state.annotation == two
 
 
 def test_a_line_clicked_where_there_is_none_is_no_bent_one(bent, hand_on, qtbot):
-    document, hand = bent.document, hand_on(bent)
+    services, hand = bent.services, hand_on(bent)
     hand.draw("Side line top", (102, 400), (858, 420))
-    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
-    assert Rule.BESIDE_PAINT not in [f.finding.rule for f in document.label_check.shown]
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
+    assert Rule.BESIDE_PAINT not in [f.finding.rule for f in services.label_check.shown]

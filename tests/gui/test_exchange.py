@@ -72,13 +72,13 @@ def test_frames_are_matched_by_name_and_the_rest_is_told(window, qtbot, dataset,
     }
     assert on_disk(dataset, "frame_1")[LINE][0]["x"] == 200 / 639
     assert not (dataset / "frame_2.json").exists()
-    assert window.document.state.annotation.annotated == (LINE,)  # the frame on screen shows it
+    assert window.services.state.annotation.annotated == (LINE,)  # the frame on screen shows it
     assert window.frames.model.info(1).count == 1
 
 
 def test_what_is_annotated_stays_unless_asked(window, qtbot, dataset, foreign):
     mine = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.1), Point(0.9, 0.1))),))
-    window.document.editing.commit_edit("draw", mine)
+    window.services.editing.commit_edit("draw", mine)
     said = run_import(window, qtbot, foreign)
     assert "1 of 2 frames imported" in said
     assert "1 frame is annotated already" in said
@@ -87,18 +87,18 @@ def test_what_is_annotated_stays_unless_asked(window, qtbot, dataset, foreign):
     assert "1 of 2 frames imported" in said
     assert "1 frame holds the same already" in said
     assert list(on_disk(dataset, "frame_0")) == [LINE]
-    database = window.document.review.database
+    database = window.services.review.database
     database.flush(5.0)
     kept = [database.version_data(v.id) for v in database.versions("frame_0")]
     assert any(b"Side line top" in data for data in kept)
-    window.document.editing.undo()
+    window.services.editing.undo()
     assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
 
 
 def test_other_frames_keep_their_history_too(window, qtbot, dataset, foreign):
     run_import(window, qtbot, foreign)
-    window.document.walk.go_to(1)
-    window.document.editing.undo()
+    window.services.navigator.go_to(1)
+    window.services.editing.undo()
     assert on_disk(dataset, "frame_1") == {}
 
 
@@ -136,7 +136,7 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
     """A kill at any moment finds every file whole and everything replaced among the versions."""
     before = {p.stem: p.read_bytes() for p in annotated.glob("*.json")}
     window = make_window(annotated)
-    window.document.walk.go_to(2)  # no frame that is replaced is on screen
+    window.services.navigator.go_to(2)  # no frame that is replaced is on screen
     written, threads = [], set()
     write = saving.write_atomic
 
@@ -160,7 +160,7 @@ def test_the_database_is_not_asked_about_every_frame(
 ):
     """Each answer would wait for all that is queued before it."""
     window = make_window(annotated)
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
     asked: list[str] = []
     origins = WorkspaceDatabase.origins
 
@@ -171,8 +171,8 @@ def test_the_database_is_not_asked_about_every_frame(
     monkeypatch.setattr(WorkspaceDatabase, "origins", watched)
     assert "2 of 2" in run_import(window, qtbot, foreign, replace=True)
     assert not {"frame_0", "frame_1"} & set(asked)
-    window.document.walk.go_to(0)
-    assert set(window.document.review.origins("frame_0")) == {
+    window.services.navigator.go_to(0)
+    assert set(window.services.review.origins("frame_0")) == {
         (100 / 639, 10 / 359),
         (100 / 639, 300 / 359),
     }
@@ -182,7 +182,7 @@ def test_a_file_that_changes_just_before_it_is_written_is_kept(
     make_window, qtbot, annotated, foreign, monkeypatch
 ):
     window = make_window(annotated)
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
     flush = WorkspaceDatabase.flush
 
     def changed(self: WorkspaceDatabase, timeout: float = 2.0) -> bool:
@@ -194,14 +194,14 @@ def test_a_file_that_changes_just_before_it_is_written_is_kept(
     assert "1 of 2 frames imported" in said
     assert "frame_1: it could not be saved" in said
     assert list(on_disk(annotated, "frame_1")) == ["Circle left"]
-    assert window.document.saver.conflict(1) is not None  # waits for a decision
+    assert window.services.saver.conflict(1) is not None  # waits for a decision
 
 
 def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
     window, qtbot, dataset, foreign, monkeypatch
 ):
     monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
     write = workspace.write_saves
 
     def broken(saves: list[saving.PendingSave]) -> None:
@@ -215,7 +215,7 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
     assert "frame_0: it could not be saved" in said
     assert "no more" in said
     assert window.isWindowModified()
-    assert window.document.editing.save_now()  # what was written after all is no conflict
+    assert window.services.editing.save_now()  # what was written after all is no conflict
     assert {LINE} == set(on_disk(dataset, "frame_0")) == set(on_disk(dataset, "frame_1"))
     assert not window.isWindowModified()
 
@@ -225,12 +225,12 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
 ):
     monkeypatch.setattr(batch_edits, "_TOGETHER", 1)
     window = make_window(annotated)
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
     window.importer.ask()
     importer = window.importer
     importer.dialog.replace.setChecked(True)
     importer.start(foreign)
-    saver = window.document.saver
+    saver = window.services.saver
     with qtbot.waitSignal(saver.saved):
         pass
     window.close()
@@ -238,7 +238,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     all_done(qtbot)
     assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
     assert held[0] == [LINE]
-    assert not window.document.state.workspace.dirty_frames()
+    assert not window.services.state.workspace.dirty_frames()
     assert not list(locks_folder(annotated).glob("*.lock"))
 
 
@@ -270,8 +270,8 @@ def test_merging_keeps_what_has_no_other_place():
 
 
 def test_export_says_what_the_format_cannot_hold(window, qtbot, tmp_path):
-    document = window.document
-    document.editing.commit_edit(
+    services = window.services
+    services.editing.commit_edit(
         "draw",
         FrameAnnotation(
             (Polyline(LINE, (Point(0.5, 0.1), Point(0.5, 1.2))),),
@@ -302,7 +302,7 @@ def test_export_says_what_the_format_cannot_hold(window, qtbot, tmp_path):
 
 def test_exported_and_imported_again_is_the_same(window, qtbot, dataset, tmp_path):
     line = Polyline(LINE, (Point(1 / 3, 0.1), Point(0.7234567890123, 0.9)))
-    window.document.editing.commit_edit("draw", FrameAnnotation((line,)))
+    window.services.editing.commit_edit("draw", FrameAnnotation((line,)))
     window.export_as.ask()
     dialog = window.export_as.dialog
     dialog.formats.setCurrentIndex(4)

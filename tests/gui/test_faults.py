@@ -34,13 +34,13 @@ class TestDiskTroubles:
         dataset.rename(away)
         hand.draw(TOP, (100, 50), (200, 50))
         assert "NOT SAVED" in window.top_bar.saved.text()
-        window.document.walk.next_frame()
-        window.document.presence.beat()
-        window.document.presence.look()
-        window.document.review.poll()
+        window.services.navigator.next_frame()
+        window.services.frame_lock.beat()
+        window.services.frame_lock.look()
+        window.services.review.poll()
         assert not dataset.exists()  # nothing was made in its place
         away.rename(dataset)
-        window.document.saver.retry()
+        window.services.saver.retry()
         until_kept()
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
 
@@ -51,8 +51,8 @@ class TestDiskTroubles:
         monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
         window = make_window(dataset)
         assert str(tmp_path / "data") in window.message_bar.label.text()
-        window.document.editing.commit_frame()
-        assert window.document.review.status("frame_0") is Status.DONE
+        window.services.editing.commit_frame()
+        assert window.services.review.status("frame_0") is Status.DONE
 
     def test_a_link_that_leads_out_of_the_dataset_is_not_followed(
         self, window, hand, dataset, tmp_path
@@ -60,7 +60,7 @@ class TestDiskTroubles:
         outside = tmp_path / "precious.json"
         outside.write_text("{}")
         (dataset / "frame_1.json").symlink_to(outside)
-        window.document.walk.next_frame()
+        window.services.navigator.next_frame()
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert outside.read_text() == "{}"
         assert "link" in window.message_bar.label.text()
@@ -72,16 +72,16 @@ class TestPictures:
         hand.draw(MIDDLE, (100, 100), (200, 200))  # it is on screen: clicks go on
         assert classes(dataset / "frame_0.json") == [MIDDLE]
         data = (dataset / "frame_2.png").read_bytes()
-        window.document.cache.close()
+        window.services.cache.close()
         (dataset / "frame_2.png").write_bytes(data[: len(data) // 3])
-        window.document.walk.go_to(2)
+        window.services.navigator.go_to(2)
         assert "frame_2.png" in window.frame_bar.label.text()
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert not (dataset / "frame_2.json").exists()
         (dataset / "frame_2.png").write_bytes(data)
-        window.document.walk.go_to(1)
-        window.document.walk.go_to(2)
-        assert window.document.state.editable
+        window.services.navigator.go_to(1)
+        window.services.navigator.go_to(2)
+        assert window.services.state.editable
 
 
 class TestClock:
@@ -90,11 +90,11 @@ class TestClock:
         now = time.time()
         monkeypatch.setattr(time, "time", lambda: now - 86_400 * 400)
         hand.draw(TOP, (100, 50), (200, 50))
-        database = window.document.review.database
+        database = window.services.review.database
         reasons = [v.reason for v in database.versions("frame_0")]
         assert reasons == ["draw Far touchline", "draw Halfway line"]
-        window.document.presence.beat()
-        assert window.document.state.editable
+        window.services.frame_lock.beat()
+        assert window.services.state.editable
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
 
 
@@ -109,15 +109,15 @@ ANNOTATES = """
     application()
     window = build_window(Path(sys.argv[1]))
     window.show()
-    document = window.document
+    services = window.services
     for step in range(100_000):
-        document.walk.go_to(step % 3)
+        services.navigator.go_to(step % 3)
         point = Point((step % 97) / 97, (step % 89) / 89)
-        edited = editing.append_points(document.state.annotation, "Middle line", [point])
-        document.editing.commit_edit("click", edited)
+        edited = editing.append_points(services.state.annotation, "Middle line", [point])
+        services.editing.commit_edit("click", edited)
         while not window.top_bar.saved.text().startswith("saved "):
             application().processEvents()
-        print(step, document.state.frame_index, len(edited.get("Middle line").points), flush=True)
+        print(step, services.state.frame_index, len(edited.get("Middle line").points), flush=True)
 """
 
 
@@ -148,7 +148,7 @@ class TestKill:
             polyline = json.loads((dataset / f"frame_{frame}.json").read_text())[MIDDLE]
             assert len(polyline) in (points, points + 1)
         hand_on(window).draw(TOP, (100, 50), (200, 50))  # the dead one's lock blocks nobody
-        assert window.document.state.annotation.get(TOP) is not None
+        assert window.services.state.annotation.get(TOP) is not None
         leftovers = [p for p in dataset.iterdir() if p.suffix == ".tmp"]
         assert len(leftovers) <= 1
 
@@ -156,7 +156,7 @@ class TestKill:
         self, window, hand, dataset, tmp_path
     ):
         hand.draw(MIDDLE, (100, 100), (200, 200))
-        window.document.selecting.select_class(TOP)
+        window.services.selection.select_class(TOP)
         hand.click(100, 50)
         shutil.copytree(dataset, tmp_path / "as_left")  # what a kill at this moment leaves
         assert classes(tmp_path / "as_left" / "frame_0.json") == [MIDDLE]
@@ -165,11 +165,11 @@ class TestKill:
 def test_a_file_mended_outside_opens_when_the_frame_is_opened_again(make_window, dataset, hand_on):
     (dataset / "frame_1.json").write_text("{")
     window = make_window(dataset)
-    window.document.walk.go_to(1)
-    assert not window.document.state.editable
+    window.services.navigator.go_to(1)
+    assert not window.services.state.editable
     (dataset / "frame_1.json").write_text("{}")
-    window.document.walk.go_to(0)
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(0)
+    window.services.navigator.go_to(1)
     hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
     assert classes(dataset / "frame_1.json") == [MIDDLE]
 
@@ -183,7 +183,7 @@ def test_an_unreadable_annotation_blocks_its_frame_only(dataset, make_window, ha
     hand.key(Qt.Key.Key_V)
     hand.draw(MIDDLE, (100, 100), (200, 200))
     assert (dataset / "frame_0.json").read_bytes() == b'{"Middle line": [{"x": 0.5}]}'
-    window.document.walk.next_frame()
+    window.services.navigator.next_frame()
     hand.draw(MIDDLE, (100, 100), (200, 200))
     assert classes(dataset / "frame_1.json") == [MIDDLE]
 
@@ -210,10 +210,10 @@ FAILS = """
         print(window.message_bar.label.text(), window.message_bar.remedy.text(), sep="|")
         window.message_bar.remedy.click()
         print(QGuiApplication.clipboard().text())
-        document = window.document
+        services = window.services
         points = [Point(0.2, 0.2), Point(0.4, 0.4)]
-        edited = editing.append_points(document.state.annotation, "Middle line", points)
-        document.editing.commit_edit("click", edited)
+        edited = editing.append_points(services.state.annotation, "Middle line", points)
+        services.editing.commit_edit("click", edited)
         window.close()
 
     def show(app, window):

@@ -53,10 +53,10 @@ def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     (action,) = [a for a in menu.actions() if a.text() == title]
-    told = heard(window.document)
+    told = heard(window.services)
     action.trigger()
     qtbot.waitUntil(lambda: f"from now on: {title}" in " ".join(told), timeout=20_000)
-    assert window.document.state.field.title == title
+    assert window.services.state.field.title == title
 
 
 def annotate(folder: Path, name: str, classes: list[str]) -> None:
@@ -70,28 +70,28 @@ def listed(window: MainWindow) -> set[str]:
 
 
 def test_everything_follows_the_field_and_nothing_is_lost(window, hand, qtbot, dataset, saved):
-    document = window.document
+    services = window.services
     hand.draw("Middle line", (100, 100), (300, 200))
     hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
     before = saved("Middle line")
-    document.selecting.select_class("Circle central")
+    services.selection.select_class("Circle central")
     choose(window, "Basketball (FIBA)", qtbot)
-    field = document.state.field
+    field = services.state.field
     qtbot.waitUntil(lambda: field.elements[0].name in listed(window))
     assert "Side line top" not in listed(window)
     assert {"Middle line", "Circle central"} <= listed(window)  # still in the file, so still there
     assert window.field_map._shape.names == tuple(e.name for e in field.elements)
-    assert document.state.setup.field is document.state.workspace.field is field
+    assert services.state.setup.field is services.state.workspace.field is field
     QTest.keyClick(window, Qt.Key.Key_9)
-    assert field.title_of(document.state.selected_class) == "Centre line"
+    assert field.title_of(services.state.selected_class) == "Centre line"
     window.commands.show_keys()
     assert any("Left endline" in row.text for row in window.commands._sheet.table.shown())
     titles = [window.plots.classes.itemText(i) for i in range(window.plots.classes.count())]
     assert titles == ["All elements", *(e.title for e in field.elements)]
-    document.editing.undo()
-    assert document.state.annotation.get("Circle central") is None
-    document.editing.redo()
-    assert document.state.annotation.get("Circle central") is not None
+    services.editing.undo()
+    assert services.state.annotation.get("Circle central") is None
+    services.editing.redo()
+    assert services.state.annotation.get("Circle central") is not None
     assert (saved("Middle line") == before).all()
     choose(window, "Soccer", qtbot)
     qtbot.waitUntil(lambda: "Side line top" in listed(window))
@@ -102,19 +102,19 @@ def test_the_dataset_remembers_its_field(window, qtbot, dataset, tmp_path):
     other = tmp_path / "other"
     other.mkdir()
     (dataset / "frame_0.png").rename(other / "frame_0.png")
-    assert window.document.opening.open_path(other)
-    assert window.document.state.field.name == "soccer"
-    assert window.document.opening.open_path(dataset)
-    assert window.document.state.field.name == "volleyball"
+    assert window.services.opening.open_path(other)
+    assert window.services.state.field.name == "soccer"
+    assert window.services.opening.open_path(dataset)
+    assert window.services.state.field.name == "volleyball"
 
 
 def test_points_that_are_not_finished_are_finished_first(window, hand, qtbot, saved):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     hand.click(100, 100)
     hand.click(300, 200)
     choose(window, "Tennis", qtbot)
     assert len(saved("Middle line")) == 2
-    assert window.document.state.selected_class == "Middle line"  # it is here, so it can be edited
+    assert window.services.state.selected_class == "Middle line"  # it is here, so it can be edited
 
 
 def asked(window: MainWindow) -> bool:
@@ -127,15 +127,15 @@ def test_a_new_dataset_is_asked_about_by_its_classes(make_window, dataset, qtbot
     annotate(dataset, "frame_1", names)
     window = make_window(dataset)
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    assert window.document.state.field.name == "soccer"  # nobody said so yet
-    window.document.walk.next_frame()
+    assert window.services.state.field.name == "soccer"  # nobody said so yet
+    window.services.navigator.next_frame()
     let_work_end(qtbot)
     assert asked(window)
     window.field_bar.switch_button.click()
-    assert window.document.state.field.name == "basketball_fiba"
+    assert window.services.state.field.name == "basketball_fiba"
     assert window.field_bar.isHidden()
-    window.document.opening.open_path(dataset)
-    assert window.document.state.field.name == "basketball_fiba"  # at once: it is remembered
+    window.services.opening.open_path(dataset)
+    assert window.services.state.field.name == "basketball_fiba"  # at once: it is remembered
 
 
 def test_a_no_holds_for_a_frame_that_is_still_looked_at(make_window, dataset, qtbot):
@@ -144,7 +144,7 @@ def test_a_no_holds_for_a_frame_that_is_still_looked_at(make_window, dataset, qt
     annotate(dataset, "frame_1", names[:3])
     window = make_window(dataset)
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    window.document.walk.next_frame()
+    window.services.navigator.next_frame()
     window.field_bar.no_button.click()
     let_work_end(qtbot)
     assert window.field_bar.isHidden()
@@ -158,9 +158,9 @@ def test_a_no_is_remembered(make_window, dataset, qtbot):
     assert window.field_bar.no_button.text() == "No, Soccer"
     window.field_bar.no_button.click()
     let_work_end(qtbot)
-    assert window.document.state.field.name == "soccer"
+    assert window.services.state.field.name == "soccer"
     assert window.field_bar.isHidden()
-    window.document.opening.open_path(dataset)
+    window.services.opening.open_path(dataset)
     let_work_end(qtbot)
     assert not asked(window)
 
@@ -170,7 +170,7 @@ def test_nothing_is_asked_where_soccer_fits_or_nothing_does(make_window, dataset
     annotate(dataset, "frame_1", classes)
     window = make_window(dataset)
     let_work_end(qtbot)
-    assert window.document.field_choice.question is None
+    assert window.services.field_choice.question is None
     assert window.field_bar.isHidden()
 
 
@@ -183,13 +183,13 @@ def test_a_field_that_clashes_with_a_landmark_is_told(make_window, dataset, qtbo
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
     window.field_bar.switch_button.click()
     assert "has the name of a class" in window.message_bar.label.text()
-    assert window.document.state.field.name == "soccer"
+    assert window.services.state.field.name == "soccer"
     # Nothing was chosen: once the landmark is gone it can be.
     path.unlink()
-    assert window.document.opening.open_path(dataset)
+    assert window.services.opening.open_path(dataset)
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
     window.field_bar.switch_button.click()
-    assert window.document.state.field.name == "basketball_fiba"
+    assert window.services.state.field.name == "basketball_fiba"
 
 
 def test_no_work_outlives_a_window_that_is_closed(make_window, dataset, monkeypatch):
@@ -205,7 +205,7 @@ def test_no_work_outlives_a_window_that_is_closed(make_window, dataset, monkeypa
     window = make_window(dataset)
     assert began.wait(10)
     threading.Timer(0.05, may_go_on.set).start()
-    window.document.field_choice.close()
+    window.services.field_choice.close()
     assert ended.is_set()
 
 
@@ -213,21 +213,21 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(window, dataset, qt
     choose(window, "Soccer", qtbot)
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_0", names)
-    assert window.document.opening.open_path(dataset)
+    assert window.services.opening.open_path(dataset)
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
-    assert window.document.state.field.name == "soccer"
+    assert window.services.state.field.name == "soccer"
     text = window.field_bar.label.text()
     assert "Soccer does not know any of the 4 classes" in text
     assert "Basketball (FIBA) knows all" in text
     assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
-    window.document.walk.next_frame()
+    window.services.navigator.next_frame()
     assert window.field_bar.isHidden()
-    window.document.walk.previous_frame()
+    window.services.navigator.previous_frame()
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     window.field_bar.close_button.click()
     assert window.field_bar.isHidden()
-    window.document.walk.next_frame()
-    window.document.walk.previous_frame()
+    window.services.navigator.next_frame()
+    window.services.navigator.previous_frame()
     let_work_end(qtbot)
     assert window.field_bar.isHidden()  # somebody does not want to hear of it
 
@@ -235,39 +235,39 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(window, dataset, qt
 def test_one_key_switches_to_the_field_that_fits(window, dataset, qtbot):
     choose(window, "Soccer", qtbot)
     annotate(dataset, "frame_0", [e.name for e in load_field("tennis").elements[:4]])
-    assert window.document.opening.open_path(dataset)
+    assert window.services.opening.open_path(dataset)
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     QTest.keyClick(window, Qt.Key.Key_F, keys)
-    qtbot.waitUntil(lambda: window.document.state.field.name == "tennis", timeout=20_000)
+    qtbot.waitUntil(lambda: window.services.state.field.name == "tennis", timeout=20_000)
     qtbot.waitUntil(lambda: window.field_bar.isHidden())
 
 
 def test_spellings_follow_the_field(make_window, dataset, qtbot):
     annotate(dataset, "frame_0", ["Goal left post left"])  # the official name ends in a space
     window = make_window(dataset)
-    document = window.document
-    assert document.state.annotation.annotated == ("Goal left post left ",)
-    document.terms.set_field(load_field("tennis"))
-    assert document.opening.open_path(dataset)
-    assert document.state.annotation.annotated == ("Goal left post left",)
-    document.terms.set_field(load_field("soccer"))
-    assert document.state.annotation.annotated == ("Goal left post left ",)
-    assert not document.state.workspace.dirty_frames()
+    services = window.services
+    assert services.state.annotation.annotated == ("Goal left post left ",)
+    services.evaluation.set_field(load_field("tennis"))
+    assert services.opening.open_path(dataset)
+    assert services.state.annotation.annotated == ("Goal left post left",)
+    services.evaluation.set_field(load_field("soccer"))
+    assert services.state.annotation.annotated == ("Goal left post left ",)
+    assert not services.state.workspace.dirty_frames()
 
 
 def test_what_showing_a_field_takes_is_worked_out_before(make_window, dataset, qtbot):
-    document = make_window(dataset).document
+    services = make_window(dataset).services
     order: list[tuple[str, bool]] = []
 
     def note(field: Field) -> None:
         order.append((field.name, threading.current_thread() is threading.main_thread()))
 
-    document.field_choice.preparing.append(note)
-    document.store.watch(lambda s: s.field, lambda: note(document.state.field))
-    document.field_choice.choose("tennis")
+    services.field_choice.preparing.append(note)
+    services.store.watch(lambda s: s.field, lambda: note(services.state.field))
+    services.field_choice.choose("tennis")
     qtbot.waitUntil(lambda: len(order) == 2, timeout=20_000)
-    document.field_choice.resize({"line_width": 0.04})
+    services.field_choice.resize({"line_width": 0.04})
     qtbot.waitUntil(lambda: len(order) == 4, timeout=20_000)
     assert order == [("tennis", False), ("tennis", True)] * 2
 
@@ -277,10 +277,10 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(make_window, dataset, qtbot
     path = dataset / FIELD_FILE
     path.write_text(YARD)
     window = make_window(dataset)
-    document = window.document
-    assert document.state.field.title == "Yard"
-    document.field_choice.resize({"length": 21})
-    qtbot.waitUntil(lambda: document.state.field.described == "yard 21 x 10 m")
+    services = window.services
+    assert services.state.field.title == "Yard"
+    services.field_choice.resize({"length": 21})
+    qtbot.waitUntil(lambda: services.state.field.described == "yard 21 x 10 m")
 
     def write(text: str) -> None:
         if not replaced:
@@ -291,92 +291,92 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(make_window, dataset, qtbot
         os.replace(new, path)
 
     write(YARD.replace('title = "Gate"', 'title = "Great gate"'))
-    qtbot.waitUntil(lambda: document.state.field.title_of("gate") == "Great gate", timeout=20_000)
-    assert document.state.field.described == "yard 21 x 10 m"
+    qtbot.waitUntil(lambda: services.state.field.title_of("gate") == "Great gate", timeout=20_000)
+    assert services.state.field.described == "yard 21 x 10 m"
     write(YARD.replace('"length / 2", "5"', '"lenght / 2", "5"'))
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     text = window.field_bar.label.text()
     assert str(path) in text
     assert "element 'fence'.end" in text
     assert "did you mean 'length'" in text
-    assert document.state.field.title_of("gate") == "Great gate"  # the last good one stays
+    assert services.state.field.title_of("gate") == "Great gate"  # the last good one stays
     write(YARD)
-    qtbot.waitUntil(lambda: document.state.field.title_of("gate") == "Gate", timeout=20_000)
+    qtbot.waitUntil(lambda: services.state.field.title_of("gate") == "Gate", timeout=20_000)
     assert window.field_bar.isHidden()
 
 
 def test_a_broken_file_is_waited_for(make_window, dataset, qtbot):
     (dataset / FIELD_FILE).write_text("name = ")
     window = make_window(dataset)
-    assert window.document.state.field.name == "soccer"
+    assert window.services.state.field.name == "soccer"
     assert FIELD_FILE in window.field_bar.label.text()
     assert not window.field_bar.isHidden()
     (dataset / FIELD_FILE).write_text(YARD)
-    qtbot.waitUntil(lambda: window.document.state.field.name == "yard", timeout=20_000)
+    qtbot.waitUntil(lambda: window.services.state.field.name == "yard", timeout=20_000)
     assert window.field_bar.isHidden()
 
 
 def test_the_file_in_the_dataset_decides(make_window, dataset, qtbot):
     (dataset / FIELD_FILE).write_text(YARD)
     window = make_window(dataset)
-    window.document.field_choice.choose("tennis")
+    window.services.field_choice.choose("tennis")
     assert "move that file away" in window.message_bar.label.text()
-    assert window.document.state.field.name == "yard"
+    assert window.services.state.field.name == "yard"
 
 
 def test_files_used_before_are_offered(window, tmp_path, qtbot):
     path = tmp_path / "our court.toml"
     path.write_text(YARD)
-    window.document.field_choice.choose(path)
-    qtbot.waitUntil(lambda: window.document.state.field.name == "yard", timeout=20_000)
+    window.services.field_choice.choose(path)
+    qtbot.waitUntil(lambda: window.services.state.field.name == "yard", timeout=20_000)
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     assert [a.text() for a in menu.actions() if a.isChecked()] == ["our court.toml"]
     assert set(field_titles().values()) <= {a.text() for a in menu.actions()}
     choose(window, "Tennis", qtbot)
-    window.document.field_choice.choose(tmp_path / "gone.toml")
+    window.services.field_choice.choose(tmp_path / "gone.toml")
     qtbot.waitUntil(lambda: "gone.toml" in window.message_bar.label.text(), timeout=20_000)
-    assert window.document.state.field.name == "tennis"
+    assert window.services.state.field.name == "tennis"
 
 
 def test_keys_of_the_window_stay_its_own(window, tmp_path, qtbot):
     path = tmp_path / "yard.toml"
     twice = YARD.replace('shortcut = "1"', 'shortcut = "Ctrl+J, 1"')
     path.write_text(twice)
-    document = window.document
-    document.field_choice.take(load_field(path))
-    assert set(element_keys(document.state.field)) == {"fence"}  # D goes to the next frame
-    assert key_text(document.state.field, "gate") == ""
+    services = window.services
+    services.field_choice.take(load_field(path))
+    assert set(element_keys(services.state.field)) == {"fence"}  # D goes to the next frame
+    assert key_text(services.state.field, "gate") == ""
     QTest.keyClick(window, Qt.Key.Key_D)
-    assert document.state.frame_index == 1
+    assert services.state.frame_index == 1
     QTest.keyClick(window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
     QTest.keyClick(window, Qt.Key.Key_1)
-    assert document.state.selected_class == "fence"
-    document.field_choice.take(load_field("soccer"))
-    document.selecting.select_class(None)
+    assert services.state.selected_class == "fence"
+    services.field_choice.take(load_field("soccer"))
+    services.selection.select_class(None)
     QTest.keyClick(window, Qt.Key.Key_1)
-    assert document.state.field.title_of(document.state.selected_class) != "Fence"
-    assert document.state.selected_class is not None
+    assert services.state.field.title_of(services.state.selected_class) != "Fence"
+    assert services.state.selected_class is not None
 
 
 def test_a_reload_leaves_what_is_being_drawn(make_window, hand_on, dataset, qtbot, saved):
     path = dataset / FIELD_FILE
     path.write_text(YARD)
     window = make_window(dataset)
-    hand, document = hand_on(window), window.document
-    document.selecting.select_class("gate")
+    hand, services = hand_on(window), window.services
+    services.selection.select_class("gate")
     hand.click(100, 100)
     path.write_text(YARD.replace('title = "Gate"', 'title = "Great gate"'))
-    qtbot.waitUntil(lambda: document.state.field.title_of("gate") == "Great gate", timeout=20_000)
+    qtbot.waitUntil(lambda: services.state.field.title_of("gate") == "Great gate", timeout=20_000)
     assert window.canvas.editor.drawing
     assert saved("gate").shape == (0, 2)
     hand.click(300, 200)
     hand.key(Qt.Key.Key_Return)
     assert len(saved("gate")) == 2
-    document.selecting.select_class("gate", continues=True)
+    services.selection.select_class("gate", continues=True)
     hand.click(200, 100)
     path.write_text(YARD.replace('name = "gate"', 'name = "door"'))  # the class is gone
-    qtbot.waitUntil(lambda: document.state.field.knows("door"), timeout=20_000)
+    qtbot.waitUntil(lambda: services.state.field.knows("door"), timeout=20_000)
     assert not window.canvas.editor.drawing
 
 
@@ -403,15 +403,15 @@ def test_where_a_file_decides_no_other_field_is_offered(make_window, dataset, qt
 def test_a_refused_choice_is_told_until_work_goes_on(make_window, dataset, tmp_path, qtbot):
     (dataset / FIELD_FILE).write_text(YARD)
     window = make_window(dataset)
-    window.document.field_choice.choose("tennis")
+    window.services.field_choice.choose("tennis")
     assert not window.message_bar.isHidden()
-    window.document.selecting.select_class("gate")
+    window.services.selection.select_class("gate")
     assert window.message_bar.isHidden()
     other = tmp_path / "other"
     other.mkdir()
     (dataset / "frame_0.png").rename(other / "frame_0.png")
     (dataset / FIELD_FILE).unlink()
-    assert window.document.opening.open_path(other)
+    assert window.services.opening.open_path(other)
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     assert "field.toml" not in [a.text() for a in menu.actions()]  # it is gone
@@ -431,7 +431,7 @@ def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset, qtbot):
     choose(window, "Basketball (FIBA)", qtbot)
     panel = window.elements
     window.panels.show("elements")
-    qtbot.waitUntil(lambda: window.document.state.field.elements[0].name in panel._items)
+    qtbot.waitUntil(lambda: window.services.state.field.elements[0].name in panel._items)
     rows = {
         (item.parent().text(0), item.text(0)): item.toolTip(0) for item in panel._items.values()
     }
@@ -449,33 +449,33 @@ def test_nothing_stays_chosen_when_another_dataset_opens(
     window, hand, tmp_path, dataset, sample_data, qtbot
 ):
     """The next click would write a class into files of another sport."""
-    document, field = window.document, load_field("volleyball")
-    document.field_choice.take(field)
-    document.selecting.select_class(field.elements[0].name)
+    services, field = window.services, load_field("volleyball")
+    services.field_choice.take(field)
+    services.selection.select_class(field.elements[0].name)
     other = tmp_path / "other"
     other.mkdir()
     shutil.copy(sample_data / "00005.jpg", other)
-    assert document.opening.open_path(other)
-    assert document.state.field.name == "soccer"
-    assert document.state.selected_class is None
+    assert services.opening.open_path(other)
+    assert services.state.field.name == "soccer"
+    assert services.state.selected_class is None
     hand.click(100, 100)
-    assert document.state.annotation.polylines == ()
-    document.selecting.select_class(
+    assert services.state.annotation.polylines == ()
+    services.selection.select_class(
         "Middle line"
     )  # of this field too: it was chosen for other pictures
-    assert document.opening.open_path(dataset)
-    assert document.state.selected_class is None
+    assert services.opening.open_path(dataset)
+    assert services.state.selected_class is None
 
 
 def test_a_class_without_a_field_stays_in_its_frame(window, hand, qtbot):
-    document = window.document
+    services = window.services
     hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
-    document.selecting.select_class("Circle central")
+    services.selection.select_class("Circle central")
     choose(window, "Tennis", qtbot)
-    assert document.state.selected_class == "Circle central"
-    document.walk.next_frame()
-    assert document.state.selected_class is None
-    field = document.state.field
-    document.selecting.select_class(field.elements[0].name)
-    document.walk.next_frame()
-    assert document.state.selected_class == field.elements[0].name
+    assert services.state.selected_class == "Circle central"
+    services.navigator.next_frame()
+    assert services.state.selected_class is None
+    field = services.state.field
+    services.selection.select_class(field.elements[0].name)
+    services.navigator.next_frame()
+    assert services.state.selected_class == field.elements[0].name

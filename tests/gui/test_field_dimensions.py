@@ -39,86 +39,86 @@ def sides(dialog: FieldDimensionsDialog) -> dict[str, float]:
 def judged(make_window, annotated, qtbot) -> MainWindow:
     """The window on a well annotated frame of the sample, judged by its true camera."""
     window = make_window(annotated)
-    assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
-    window.document.walk.go_to(1)
-    qtbot.waitUntil(lambda: window.document.live_fit.result is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: window.document.judge.score is not None, timeout=20_000)
+    assert window.services.camera_sources.load_cameras(annotated / "cameras" / "true")
+    window.services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: window.services.live_fit.result is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.services.scorer.score is not None, timeout=20_000)
     return window
 
 
 def test_everything_goes_by_what_is_entered(judged, qtbot):
-    document = judged.document
+    services = judged.services
     judged.panels.show("scores")
-    before = document.judge.score
-    fit = document.live_fit.result
+    before = services.scorer.score
+    fit = services.live_fit.result
     bounds = judged.field_map._shape.ground
     dialog = asked(judged)
     assert sides(dialog) == {"length": 105.0, "width": 68.0}
     assert dialog.note.isHidden()
     enter(dialog, length=101.3, width=66.2)
     assert "nominal field (length 105 m, width 68 m" in dialog.note.text()
-    qtbot.waitUntil(lambda: document.state.field.described == "soccer 101.3 x 66.2 m")
-    assert document.judge.score.jac < before.jac
+    qtbot.waitUntil(lambda: services.state.field.described == "soccer 101.3 x 66.2 m")
+    assert services.scorer.score.jac < before.jac
     assert judged.field_map._shape.ground[2] < bounds[2]
     qtbot.waitUntil(lambda: "soccer 101.3 x 66.2 m" in judged.scores.terms.text())
-    qtbot.waitUntil(lambda: document.live_fit.result not in (None, fit), timeout=20_000)
-    assert document.live_fit.result.mean_px > fit.mean_px
+    qtbot.waitUntil(lambda: services.live_fit.result not in (None, fit), timeout=20_000)
+    assert services.live_fit.result.mean_px > fit.mean_px
     dialog.reject()
-    qtbot.waitUntil(lambda: document.state.field.is_nominal)
-    assert document.judge.score.jac == before.jac
-    assert document.review.database.setting("field_dimensions") is None
+    qtbot.waitUntil(lambda: services.state.field.is_nominal)
+    assert services.scorer.score.jac == before.jac
+    assert services.review.database.setting("field_dimensions") is None
 
 
 def test_the_dataset_keeps_them_until_they_are_nominal_again(judged, qtbot, annotated, dataset):
-    document = judged.document
+    services = judged.services
     dialog = asked(judged)
     enter(dialog, length=101.3)
     dialog.accept()
     assert judged.field_dimensions.dialog is None
-    qtbot.waitUntil(lambda: document.state.field.described == "soccer 101.3 x 68 m")
-    kept = json.loads(document.review.database.setting("field_dimensions"))
+    qtbot.waitUntil(lambda: services.state.field.described == "soccer 101.3 x 68 m")
+    kept = json.loads(services.review.database.setting("field_dimensions"))
     assert kept["dimensions"] == {"length": 101.3}
-    assert document.opening.open_path(dataset)  # another dataset has a field of its own
-    assert document.state.field.is_nominal
-    assert document.state.setup.field.is_nominal
-    assert document.opening.open_path(annotated)
-    assert document.state.field.described == "soccer 101.3 x 68 m"
-    assert document.state.setup.field is document.state.field
-    assert document.state.workspace.field is document.state.field
+    assert services.opening.open_path(dataset)  # another dataset has a field of its own
+    assert services.state.field.is_nominal
+    assert services.state.setup.field.is_nominal
+    assert services.opening.open_path(annotated)
+    assert services.state.field.described == "soccer 101.3 x 68 m"
+    assert services.state.setup.field is services.state.field
+    assert services.state.workspace.field is services.state.field
     dialog = asked(judged)
     dialog.nominal_button.click()
     assert sides(dialog) == {"length": 105.0, "width": 68.0}
     dialog.findChild(QDialogButtonBox).accepted.emit()
-    qtbot.waitUntil(lambda: document.state.field.is_nominal)
-    assert document.review.database.setting("field_dimensions") is None
+    qtbot.waitUntil(lambda: services.state.field.is_nominal)
+    assert services.review.database.setting("field_dimensions") is None
 
 
 def test_what_is_kept_is_kept_when_the_dataset_is_left_at_once(judged, annotated, dataset):
-    document = judged.document
+    services = judged.services
     dialog = asked(judged)
     enter(dialog, length=101.3)
     dialog.accept()
-    assert document.opening.open_path(dataset)
-    assert document.state.field.is_nominal
-    assert document.opening.open_path(annotated)
-    assert document.state.field.described == "soccer 101.3 x 68 m"
+    assert services.opening.open_path(dataset)
+    assert services.state.field.is_nominal
+    assert services.opening.open_path(annotated)
+    assert services.state.field.described == "soccer 101.3 x 68 m"
 
 
 def test_the_last_numbers_count(judged, qtbot):
-    document = judged.document
+    services = judged.services
     for length in (99.0, 100.0, 101.0):
-        document.field_choice.resize({"length": length}, keep=False)
-    document.field_choice.resize({"length": 200.0}, keep=False)  # no rules allow it
-    document.field_choice.resize({"length": 102.0}, keep=False)
+        services.field_choice.resize({"length": length}, keep=False)
+    services.field_choice.resize({"length": 200.0}, keep=False)  # no rules allow it
+    services.field_choice.resize({"length": 102.0}, keep=False)
     let_work_end(qtbot)
-    assert document.state.field.dimension("length").value == 102.0
-    document.field_choice.resize({"length": 103.0}, keep=False)
-    document.terms.set_field(load_field("soccer", width=66.0))
+    assert services.state.field.dimension("length").value == 102.0
+    services.field_choice.resize({"length": 103.0}, keep=False)
+    services.evaluation.set_field(load_field("soccer", width=66.0))
     let_work_end(qtbot)
-    document.field_choice.resize({"length": 103.0})
-    document.terms.set_field(load_field("tennis"))
+    services.field_choice.resize({"length": 103.0})
+    services.evaluation.set_field(load_field("tennis"))
     let_work_end(qtbot)
-    assert document.state.field.name == "tennis"
+    assert services.state.field.name == "tennis"
 
 
 def test_the_set_tells_its_dimensions(judged, qtbot):
@@ -150,7 +150,7 @@ def test_frames_of_stadiums_take_no_part(make_window, annotated, qtbot, monkeypa
     dialog.estimate_button.click()
     qtbot.waitUntil(lambda: not dialog.found.isHidden(), timeout=20_000)
     assert "No frame has a camera" in dialog.found.text()  # as where all have stadiums
-    names = [frame.name for frame in window.document.state.workspace.frames]
+    names = [frame.name for frame in window.services.state.workspace.frames]
     assert looked_at == [name for name in names if name not in ("00001", "00002")]
     dialog.reject()
 
@@ -187,69 +187,69 @@ def test_the_estimate_can_be_stopped(judged, qtbot, monkeypatch):
 def test_another_dataset_closes_the_question(judged, dataset):
     dialog = asked(judged)
     enter(dialog, length=100.0)
-    assert judged.document.opening.open_path(dataset)
+    assert judged.services.opening.open_path(dataset)
     assert judged.field_dimensions.dialog is None
-    assert judged.document.state.field.is_nominal
+    assert judged.services.state.field.is_nominal
 
 
 def test_whatever_the_rules_leave_open_can_be_set(window, qtbot):
-    document = window.document
-    document.terms.set_field(load_field("tennis"))
+    services = window.services
+    services.evaluation.set_field(load_field("tennis"))
     dialog = asked(window)
-    assert set(dialog.boxes) == {d.name for d in document.state.field.dimensions if d.is_open}
+    assert set(dialog.boxes) == {d.name for d in services.state.field.dimensions if d.is_open}
     box = dialog.boxes["line_width"]
     assert (box.minimum(), box.maximum(), box.decimals()) == (0.025, 0.05, 3)
     assert not dialog.estimate_button.isEnabled()  # the rules fix length and width
     box.setValue(0.03)
-    qtbot.waitUntil(lambda: document.state.field.dimension("line_width").value == 0.03)
+    qtbot.waitUntil(lambda: services.state.field.dimension("line_width").value == 0.03)
     dialog.accept()
     let_work_end(qtbot)
-    kept = json.loads(document.review.database.setting("field_dimensions"))
+    kept = json.loads(services.review.database.setting("field_dimensions"))
     assert kept == {"field": "tennis", "dimensions": {"line_width": 0.03}}
     dialog = asked(window)
-    document.terms.set_field(load_field("soccer"))
+    services.evaluation.set_field(load_field("soccer"))
     assert window.field_dimensions.dialog is None  # the numbers were another field's
     handball = load_field("handball")  # the rules fix all of it, but not where clicks lie
-    document.terms.set_field(handball)
+    services.evaluation.set_field(handball)
     dialog = asked(window)
     assert not dialog.boxes
     assert dialog.lines_box.isVisible()
     dialog.reject()
     let_work_end(qtbot)
     unpainted = tuple(replace(e, line_width=0.0, inside=None) for e in handball.elements)
-    document.terms.set_field(replace(handball, elements=unpainted))
-    told = heard(document)
+    services.evaluation.set_field(replace(handball, elements=unpainted))
+    told = heard(services)
     window.actions_["field_dimensions"].trigger()
     assert window.field_dimensions.dialog is None
     assert told == ["the rules fix every dimension of the field Handball"]
 
 
 def test_clicks_lie_on_the_middle_of_the_paint(judged, qtbot, annotated, dataset):
-    document = judged.document
-    before = document.judge.score
+    services = judged.services
+    before = services.scorer.score
     dialog = asked(judged)
     dialog.lines_box.setCurrentText("the middle of the paint")
     assert "where the rules measure" in dialog.note.text()
-    qtbot.waitUntil(lambda: document.state.field.described == "soccer, lines at their middle")
-    qtbot.waitUntil(lambda: document.judge.score.mean_error > before.mean_error)
+    qtbot.waitUntil(lambda: services.state.field.described == "soccer, lines at their middle")
+    qtbot.waitUntil(lambda: services.scorer.score.mean_error > before.mean_error)
     dialog.reject()
-    qtbot.waitUntil(lambda: document.state.field == load_field("soccer"))
+    qtbot.waitUntil(lambda: services.state.field == load_field("soccer"))
     dialog = asked(judged)
     dialog.lines_box.setCurrentText("the middle of the paint")
     dialog.accept()
-    assert document.opening.open_path(dataset)  # at once, and it has a choice of its own
-    assert document.state.field.lines == "measured"
-    assert document.opening.open_path(annotated)
-    assert document.state.field.lines == "middle"
-    document.field_choice.choose("basketball_fiba")  # the clicks are the same
-    qtbot.waitUntil(lambda: document.state.field.name == "basketball_fiba")
-    assert document.state.field.lines == "middle"
+    assert services.opening.open_path(dataset)  # at once, and it has a choice of its own
+    assert services.state.field.lines == "measured"
+    assert services.opening.open_path(annotated)
+    assert services.state.field.lines == "middle"
+    services.field_choice.choose("basketball_fiba")  # the clicks are the same
+    qtbot.waitUntil(lambda: services.state.field.name == "basketball_fiba")
+    assert services.state.field.lines == "middle"
     dialog = asked(judged)
     dialog.nominal_button.click()
     assert dialog.lines_box.currentText() == "where the rules measure"
     dialog.accept()
-    qtbot.waitUntil(lambda: document.state.field.lines == "measured")
-    assert document.review.database.setting("field_lines") is None
+    qtbot.waitUntil(lambda: services.state.field.lines == "measured")
+    assert services.review.database.setting("field_lines") is None
 
 
 @pytest.mark.parametrize("typed", ["101,3", "101.3"])
@@ -261,8 +261,8 @@ def test_a_decimal_comma_is_a_point(judged, qtbot, typed):
     QTest.keyClicks(box, typed)
     assert dialog.values["length"] == 101.3
     QTest.keyClick(box, Qt.Key.Key_Return)  # keeps it
-    qtbot.waitUntil(lambda: judged.document.state.field.described == "soccer 101.3 x 68 m")
-    assert "101.3" in (judged.document.review.database.setting("field_dimensions") or "")
+    qtbot.waitUntil(lambda: judged.services.state.field.described == "soccer 101.3 x 68 m")
+    assert "101.3" in (judged.services.review.database.setting("field_dimensions") or "")
 
 
 def test_a_number_outside_the_rules_is_told(judged, qtbot):
@@ -279,36 +279,36 @@ def test_a_number_outside_the_rules_is_told(judged, qtbot):
     QTest.keyClicks(box, "100")
     assert "not 199 m" not in rule.text()
     QTest.keyClick(box, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: judged.document.state.field.described == "soccer 100 x 68 m")
+    qtbot.waitUntil(lambda: judged.services.state.field.described == "soccer 100 x 68 m")
     assert judged.field_dimensions.dialog is None
 
 
 def test_numbers_that_the_rules_do_not_allow_together_are_told(judged, qtbot):
-    document, dialog = judged.document, asked(judged)
+    services, dialog = judged.services, asked(judged)
     enter(dialog, length=90.0, width=88.0)
-    qtbot.waitUntil(lambda: document.state.field.described == "soccer 90 x 88 m")
+    qtbot.waitUntil(lambda: services.state.field.described == "soccer 90 x 88 m")
     enter(dialog, width=90.0)
     assert "length &gt; width, and 90 &gt; 90 does not hold" in dialog.broken.text()
     assert dialog.broken.isVisible()
     dialog.accept()
     let_work_end(qtbot)
     assert dialog.isVisible()
-    assert document.state.field.described == "soccer 90 x 88 m"
+    assert services.state.field.described == "soccer 90 x 88 m"
     assert judged.message_bar.isHidden()  # said once, where it is entered
     dialog.nominal_button.click()
     assert dialog.broken.isHidden()
     dialog.accept()
-    qtbot.waitUntil(lambda: document.state.field.is_nominal)
+    qtbot.waitUntil(lambda: services.state.field.is_nominal)
 
 
 def test_a_window_that_is_closed_changes_no_field_any_more(judged, qtbot):
-    document = judged.document
+    services = judged.services
     dialog = asked(judged)
     enter(dialog, length=101.0)
-    qtbot.waitUntil(lambda: not document.state.field.is_nominal)
+    qtbot.waitUntil(lambda: not services.state.field.is_nominal)
     judged.close()
     changed: list[object] = []
-    document.store.watch(lambda s: s.field, lambda: changed.append(document.state.field))
+    services.store.watch(lambda s: s.field, lambda: changed.append(services.state.field))
     dialog.reject()
     let_work_end(qtbot)
     assert not changed

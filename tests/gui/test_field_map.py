@@ -17,19 +17,19 @@ from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.field_map.field_shape import FieldShape
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 
 
 @pytest.fixture
-def show_map(qtbot) -> Callable[..., tuple[FieldMapPanel, Document]]:
-    def show(field: Field, size: tuple[int, int] = (300, 240)) -> tuple[FieldMapPanel, Document]:
-        document = Document(field)
-        panel = FieldMapPanel(document)
+def show_map(qtbot) -> Callable[..., tuple[FieldMapPanel, Services]]:
+    def show(field: Field, size: tuple[int, int] = (300, 240)) -> tuple[FieldMapPanel, Services]:
+        services = Services(field)
+        panel = FieldMapPanel(services)
         qtbot.addWidget(panel)
         panel.resize(*size)
         panel.show()
-        panel.destroyed.connect(document.close)
-        return panel, document
+        panel.destroyed.connect(services.close)
+        return panel, services
 
     return show
 
@@ -51,14 +51,14 @@ def turn_wheel(panel: QWidget, at: QPointF, steps: int) -> None:
     ],
 )
 def test_every_element_of_every_field_can_be_clicked(show_map, qtbot, name, size):
-    panel, document = show_map(load_field(name), size)
-    for element in document.state.field.elements:
+    panel, services = show_map(load_field(name), size)
+    for element in services.state.field.elements:
         position = panel.position_of(element.name)
         qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=position.toPoint())
-        assert document.state.selected_class == element.name
+        assert services.state.selected_class == element.name
         assert panel.rect().contains(position.toPoint())
     qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
-    assert document.state.selected_class is None
+    assert services.state.selected_class is None
 
 
 @pytest.mark.parametrize("name", ["soccer", "ice_hockey_iihf", "basketball_fiba", "volleyball"])
@@ -83,8 +83,8 @@ def field_points(field: Field, name: str):
 
 
 def test_the_wheel_magnifies_what_is_under_the_cursor(show_map, qtbot):
-    panel, document = show_map(load_field("athletics"))
-    lanes = [e.name for e in document.state.field.elements if e.name.startswith("Lane line")][:2]
+    panel, services = show_map(load_field("athletics"))
+    lanes = [e.name for e in services.state.field.elements if e.name.startswith("Lane line")][:2]
     apart = panel.position_of(lanes[0]) - panel.position_of(lanes[1])
     cursor = panel.position_of(lanes[0])
     turn_wheel(panel, cursor, 20)
@@ -92,14 +92,14 @@ def test_the_wheel_magnifies_what_is_under_the_cursor(show_map, qtbot):
     wide = panel.position_of(lanes[0]) - panel.position_of(lanes[1])
     assert wide.manhattanLength() > 10 * apart.manhattanLength()
     qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=cursor.toPoint())
-    assert document.state.selected_class == lanes[0]
+    assert services.state.selected_class == lanes[0]
     # Dragged, it moves and nothing is chosen; a double click beside all lines shows it whole.
     start, end = QPoint(100, 100), QPoint(140, 90)
     QTest.mousePress(panel, Qt.MouseButton.LeftButton, pos=start)
     QTest.mouseMove(panel, end)
     QTest.mouseRelease(panel, Qt.MouseButton.LeftButton, pos=end)
     assert panel.position_of(lanes[0]).toPoint() == (cursor + QPointF(end - start)).toPoint()
-    assert document.state.selected_class == lanes[0]
+    assert services.state.selected_class == lanes[0]
     empty = next(
         p for p in (QPoint(x, 100) for x in range(300)) if panel.class_at(QPointF(p)) is None
     )
@@ -155,7 +155,7 @@ def test_a_field_may_be_one_line_or_hang_in_the_air(show_map):
 
 
 def test_a_spot_shows_its_state(window, qtbot):
-    document, panel = window.document, window.field_map
+    services, panel = window.services, window.field_map
     at = panel.position_of("Penalty mark left")
     ratio = panel.devicePixelRatio()
     area = (at * ratio).toPoint() - QPoint(8, 8)
@@ -166,5 +166,5 @@ def test_a_spot_shows_its_state(window, qtbot):
 
     before = picture()
     mark = Polyline("Penalty mark left", (Point(0.4, 0.5),))
-    document.editing.commit_edit("draw", document.state.annotation.with_polyline(mark))
+    services.editing.commit_edit("draw", services.state.annotation.with_polyline(mark))
     qtbot.waitUntil(lambda: picture() != before)

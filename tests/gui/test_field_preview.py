@@ -37,7 +37,7 @@ def listed(window: FieldPreview) -> set[str]:
 def test_a_shipped_field_is_shown_with_its_dimensions(preview, qtbot):
     window = preview("soccer", length=100.0)
     field = load_field("soccer", length=100.0)
-    qtbot.waitUntil(lambda: window.document.state.field == field, timeout=20_000)
+    qtbot.waitUntil(lambda: window.services.state.field == field, timeout=20_000)
     assert window.windowTitle().startswith("Soccer")
     assert "Length: 100 m (the rules allow 90 to 120 m)" in window.facts.text()
     assert window.map.position_of("Penalty mark left") is not None

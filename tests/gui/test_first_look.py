@@ -33,7 +33,7 @@ def large(tmp_path) -> Path:
 @pytest.fixture
 def window(make_window, large, qtbot) -> MainWindow:
     made = make_window(large)
-    qtbot.waitUntil(lambda: made.document.state.half is None)
+    qtbot.waitUntil(lambda: made.services.state.half is None)
     return made
 
 
@@ -44,16 +44,16 @@ def shown(window: MainWindow) -> np.ndarray:
 
 
 def test_half_its_size_is_shown_first_in_the_same_place(window, qtbot):
-    document = window.document
-    document.walk.go_to(5)
-    state = document.state
+    services = window.services
+    services.navigator.go_to(5)
+    state = services.state
     assert state.half is not None
     assert state.picture is None
-    assert document.state.picture_size == SIZE
+    assert services.state.picture_size == SIZE
     first, place = shown(window), window.canvas.sceneRect()
-    qtbot.waitUntil(lambda: document.state.picture is not None)
-    assert document.state.half is None
-    assert document.state.picture_size == SIZE
+    qtbot.waitUntil(lambda: services.state.picture is not None)
+    assert services.state.half is None
+    assert services.state.picture_size == SIZE
     assert window.canvas.sceneRect() == place
     whole = shown(window)
     assert np.abs(first - whole).mean() < 2
@@ -62,17 +62,17 @@ def test_half_its_size_is_shown_first_in_the_same_place(window, qtbot):
 
 
 def test_who_walks_on_before_it_is_painted_spares_the_whole_one(window, qtbot, monkeypatch):
-    document, decoded = window.document, []
-    get_ready = document.cache.get_ready
+    services, decoded = window.services, []
+    get_ready = services.cache.get_ready
 
     def noted(path: Path) -> np.ndarray:
         decoded.append(path.stem)
         return get_ready(path)
 
-    monkeypatch.setattr(document.cache, "get_ready", noted)
-    document.walk.go_to(3)
-    document.walk.go_to(5)
-    qtbot.waitUntil(lambda: document.state.picture is not None)
+    monkeypatch.setattr(services.cache, "get_ready", noted)
+    services.navigator.go_to(3)
+    services.navigator.go_to(5)
+    qtbot.waitUntil(lambda: services.state.picture is not None)
     assert decoded == ["5"]
 
 
@@ -81,39 +81,39 @@ def test_zoomed_in_it_is_in_the_same_place_too(window, qtbot):
     for _ in range(12):
         window.canvas.zoom_in()
     assert window.canvas.view_scale > 2
-    window.document.walk.go_to(5)
-    assert window.document.state.half is not None
+    window.services.navigator.go_to(5)
+    assert window.services.state.half is not None
     first = shown(window)
-    qtbot.waitUntil(lambda: window.document.state.picture is not None)
+    qtbot.waitUntil(lambda: window.services.state.picture is not None)
     assert np.abs(first - shown(window)).mean() < 6
 
 
 def test_a_click_snaps_to_every_pixel(window):
-    document, hand = window.document, Hand(window)
-    document.walk.go_to(5)
-    assert document.state.half is not None
-    document.selecting.select_class("Middle line")
+    services, hand = window.services, Hand(window)
+    services.navigator.go_to(5)
+    assert services.state.half is not None
+    services.selection.select_class("Middle line")
     hand.click(LINE_X + 5, 300)
-    assert document.state.picture is not None
+    assert services.state.picture is not None
     hand.click(LINE_X - 5, 700)
     hand.key(Qt.Key.Key_Return)
-    polyline = document.state.annotation.get("Middle line")
+    polyline = services.state.annotation.get("Middle line")
     assert [p.u * (SIZE[0] - 1) for p in polyline.points] == pytest.approx([LINE_X] * 2, abs=0.5)
 
 
 def test_a_frame_that_is_passed_is_not_waited_for(window, qtbot):
-    document = window.document
+    services = window.services
     for index in (5, 3, 0, 4):
-        document.walk.go_to(index)
-    qtbot.waitUntil(lambda: document.state.picture is not None)
-    assert document.state.frame_index == 4
-    assert document.state.half is None
+        services.navigator.go_to(index)
+    qtbot.waitUntil(lambda: services.state.picture is not None)
+    assert services.state.frame_index == 4
+    assert services.state.half is None
 
 
 def test_what_asks_for_the_picture_gets_all_of_it(window, large):
-    window.document.walk.go_to(5)
-    assert window.document.state.half is not None
-    assert np.array_equal(window.document.walk.picture, decode_bgra(large / "5.jpg"))
+    window.services.navigator.go_to(5)
+    assert window.services.state.half is not None
+    assert np.array_equal(window.services.navigator.picture, decode_bgra(large / "5.jpg"))
 
 
 def test_the_loupe_shows_every_pixel(window):
@@ -121,41 +121,41 @@ def test_the_loupe_shows_every_pixel(window):
     hand.move(LINE_X, 500)
     canvas.set_loupe_always(True)
     assert canvas.loupe.isVisible()
-    window.document.walk.go_to(5)
+    window.services.navigator.go_to(5)
     assert canvas.loupe.isVisible()
     assert canvas.shown.pixels.shape[:2] == SIZE[::-1]
 
 
 def test_a_picture_that_goes_before_all_of_it_was_read(window, large, qtbot, monkeypatch):
-    document = window.document
-    monkeypatch.setattr(document.cache, "get_ready", lambda path: decode_bgra(large / "gone.jpg"))
-    document.walk.go_to(5)
-    qtbot.waitUntil(lambda: document.state.half is None)
-    assert "gone.jpg" in document.state.why_not_editable
-    assert document.state.picture_size is None
-    assert not document.state.editable
+    services = window.services
+    monkeypatch.setattr(services.cache, "get_ready", lambda path: decode_bgra(large / "gone.jpg"))
+    services.navigator.go_to(5)
+    qtbot.waitUntil(lambda: services.state.half is None)
+    assert "gone.jpg" in services.state.why_not_editable
+    assert services.state.picture_size is None
+    assert not services.state.editable
     monkeypatch.undo()
-    document.walk.go_to(4)
-    qtbot.waitUntil(lambda: document.state.picture is not None)
-    assert document.state.editable
+    services.navigator.go_to(4)
+    qtbot.waitUntil(lambda: services.state.picture is not None)
+    assert services.state.editable
 
 
 def test_lines_are_enhanced_in_the_whole_picture_only(window, qtbot):
     from procc_annotator.image.pixels import DisplayAdjustment
 
     window.canvas.set_look(DisplayAdjustment(enhance=True))
-    window.document.walk.go_to(5)
-    qtbot.waitUntil(lambda: window.document.state.picture is not None)
-    plain = window.document.walk.picture
+    window.services.navigator.go_to(5)
+    qtbot.waitUntil(lambda: window.services.state.picture is not None)
+    plain = window.services.navigator.picture
     qtbot.waitUntil(lambda: not np.array_equal(window.canvas.shown.pixels, plain))
     assert window.canvas.shown.pixels.shape == plain.shape
 
 
 def test_a_wheel_and_a_key_meanwhile(window, qtbot):
-    window.document.walk.go_to(5)
+    window.services.navigator.go_to(5)
     QTest.keyClick(window.canvas, Qt.Key.Key_A)
-    assert window.document.state.frame_index == 4
-    qtbot.waitUntil(lambda: window.document.state.picture is not None)
+    assert window.services.state.frame_index == 4
+    qtbot.waitUntil(lambda: window.services.state.picture is not None)
 
 
 @pytest.mark.parametrize("turned", [False, True])
@@ -184,12 +184,12 @@ def test_small_pictures_and_other_formats_are_decoded_at_once(tmp_path):
 
 
 def test_what_the_picture_shows_of_paint_is_told_once_the_whole_one_is_there(window, large, qtbot):
-    document = window.document
+    services = window.services
     line = ((LINE_X, 100), (LINE_X, 900))
     points = [{"x": x / (SIZE[0] - 1), "y": y / (SIZE[1] - 1)} for x, y in line]
     (large / "5.json").write_text(json.dumps({"Middle line": points}))
-    document.walk.go_to(5)
-    assert document.state.half is not None
-    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
-    (seen,) = document.paint_watch.value.values()
+    services.navigator.go_to(5)
+    assert services.state.half is not None
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
+    (seen,) = services.line_pixels.value.values()
     assert (seen.paint == LinePresence.UNDER).mean() > 0.9

@@ -23,7 +23,7 @@ def test_labels_and_tips_show_foreign_text_as_it_is(make_window, dataset, qtbot)
     cameras = dataset / EVIL
     cameras.mkdir()
     (cameras / "camera_frame_1.json").write_text("{" + EVIL)
-    window.document.camera_sources.load_cameras(cameras)
+    window.services.camera_sources.load_cameras(cameras)
     all_done(qtbot)
     shown = [label for label in window.findChildren(QLabel) if EVIL in label.text()]
     assert shown

@@ -52,7 +52,7 @@ def test_frames_lie_in_folders_of_which_the_one_on_screen_is_open(window):
 
 
 def test_going_on_opens_the_next_folder(window):
-    window.document.walk.go_to(3)
+    window.services.navigator.go_to(3)
     window.frames._follow_frames()
     assert _rows(window)[4:] == ["[b/img1]", "0", "1", "2"]
     assert _current(window) == 5
@@ -63,7 +63,7 @@ def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(window, qtbot):
     place = view.visualRect(window.frames.model.index(0)).center()
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert _rows(window) == ["[a/img1]", "[b/img1]"]
-    assert window.document.state.frame_index == 0
+    assert window.services.state.frame_index == 0
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
 
@@ -76,11 +76,11 @@ def test_keys_fold_and_unfold(window, qtbot):
     qtbot.keyClick(view, Qt.Key.Key_Left)
     assert _rows(window) == ["[a/img1]", "[b/img1]"]
     qtbot.keyClick(view, Qt.Key.Key_Down)
-    assert window.document.state.frame_index == 0
+    assert window.services.state.frame_index == 0
     qtbot.keyClick(view, Qt.Key.Key_Right)
     assert _rows(window) == ["[a/img1]", "[b/img1]", "0", "1", "2"]
     qtbot.keyClick(view, Qt.Key.Key_Right)
-    assert window.document.state.frame_index == 3
+    assert window.services.state.frame_index == 3
     qtbot.keyClick(view, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
     assert len(_rows(window)) == 8
     qtbot.keyClick(view, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
@@ -102,14 +102,14 @@ def test_a_filter_shows_what_matches_in_every_folder(window):
 
 
 def test_a_folder_tells_how_much_of_it_is_done(window, qtbot):
-    window.document.review.set_status("b/img1/1", Status.DONE)
+    window.services.review.set_status("b/img1/1", Status.DONE)
 
     def done() -> list[int]:
         infos = map(window.frames.model.folder_info, range(window.frames.model.rowCount()))
         return [info.done for info in infos if info is not None]
 
     qtbot.waitUntil(lambda: done() == [0, 1])
-    window.document.review.set_status("b/img1/1", Status.IN_PROGRESS)
+    window.services.review.set_status("b/img1/1", Status.IN_PROGRESS)
     qtbot.waitUntil(lambda: done() == [0, 0])
 
 
@@ -119,10 +119,10 @@ def test_words_of_a_folder():
 
 
 def test_an_edit_is_saved_beside_the_picture_of_its_match(window, hand, tree):
-    window.document.walk.go_to(4)
+    window.services.navigator.go_to(4)
     hand.draw("Middle line", (100, 50), (120, 200))
     assert [p.relative_to(tree).as_posix() for p in tree.rglob("*.json")] == ["b/img1/1.json"]
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     hand.draw("Middle line", (100, 50), (120, 200))
     names = {p.relative_to(tree).as_posix() for p in tree.rglob("*.json")}
     assert names == {"a/img1/1.json", "b/img1/1.json"}
@@ -137,14 +137,14 @@ def test_while_blind_no_folder_tells_a_score(make_window, sample_data, tmp_path,
             shutil.copy(sample_data / f"00002{suffix}", folder)
         shutil.copy(sample_data / "cameras/pinhole/camera_00002.json", cameras)
     window = make_window(tmp_path / "season")
-    assert window.document.camera_sources.load_cameras(tmp_path / "cameras")
+    assert window.services.camera_sources.load_cameras(tmp_path / "cameras")
 
     def scores() -> list[float | None]:
         infos = map(window.frames.model.folder_info, range(window.frames.model.rowCount()))
         return [info.jac for info in infos if info is not None]
 
     qtbot.waitUntil(lambda: scores() == [1.0, 1.0], timeout=20_000)
-    window.document.blind_lock.set_blind(True)
+    window.services.blind_lock.set_blind(True)
     assert scores() == [None, None]
     all_done(qtbot)
     assert scores() == [None, None]
@@ -157,10 +157,10 @@ def test_an_annotation_without_the_folder_of_pictures_is_shown_and_saved_where_i
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps({"Middle line": [{"x": 0.1, "y": 0.1}, {"x": 0.4, "y": 0.4}]}))
     window = make_window(tree)
-    assert [p.class_name for p in window.document.state.annotation.polylines] == ["Middle line"]
+    assert [p.class_name for p in window.services.state.annotation.polylines] == ["Middle line"]
     hand_on(window).draw("Side line top", (10, 30), (60, 30))
     qtbot.waitUntil(lambda: "Side line top" in json.loads(path.read_text()))
     assert [p.name for p in (tree / "annotations").rglob("*.json")] == ["0.json"]
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     hand_on(window).draw("Side line top", (10, 30), (60, 30))
     qtbot.waitUntil((tree / "annotations/a/img1/1.json").exists)

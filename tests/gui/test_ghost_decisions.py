@@ -48,43 +48,43 @@ def patient(monkeypatch) -> None:
 
 
 def current(window: MainWindow) -> str | None:
-    ghost = window.document.ghosts.current
+    ghost = window.services.ghosts.current
     return ghost.name if ghost is not None else None
 
 
 def names(window: MainWindow) -> list[str]:
-    return [ghost.name for ghost in window.document.ghosts.known]
+    return [ghost.name for ghost in window.services.ghosts.known]
 
 
 def find(window: MainWindow, qtbot: QtBot) -> None:
     """Wait for the points of the current ghost."""
-    ghosts = window.document.ghosts
+    ghosts = window.services.ghosts
     qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None, timeout=20_000)
 
 
 @pytest.mark.usefixtures("patient")
 class TestLeaving:
     def test_all_accepted_and_left_at_once(self, begun, hand, told):
-        document = begun.document
+        services = begun.services
         hand.key(Key.Key_Return, SHIFT)
-        assert document.state.annotation.annotated == KEPT
+        assert services.state.annotation.annotated == KEPT
         hand.key(Key.Key_A)
-        assert document.state.frame.name == "00001"
-        done = document.state.workspace.read(1)
+        assert services.state.frame.name == "00001"
+        done = services.state.workspace.read(1)
         assert len(done.annotated) >= len(KEPT) + 4
         assert any(t.startswith("accepted ") and "on 00002" in t for t in told)
         hand.key(Key.Key_D)
         hand.key(Key.Key_Z, CTRL)
-        assert document.state.annotation.annotated == KEPT
+        assert services.state.annotation.annotated == KEPT
 
     def test_one_accepted_and_left_at_once(self, begun, hand, told):
-        document = begun.document
+        services = begun.services
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
         hand.key(Key.Key_A)
-        assert document.state.workspace.read(1).get(name) is not None
-        assert f"accepted {document.state.field.title_of(name)} on 00002" in told[-1]
+        assert services.state.workspace.read(1).get(name) is not None
+        assert f"accepted {services.state.field.title_of(name)} on 00002" in told[-1]
 
     def test_what_takes_too_long_is_said_to_be_dropped(
         self, begun, hand, qtbot, told, go_on, monkeypatch
@@ -95,38 +95,38 @@ class TestLeaving:
         assert told[-1] == ("no ghost was accepted: looking for the line on 00002 took too long")
         go_on.set()
         let_work_end(qtbot)
-        assert begun.document.state.workspace.read(1).annotated == KEPT
+        assert begun.services.state.workspace.read(1).annotated == KEPT
 
     def test_tab_goes_on_once_it_is_accepted(self, begun, hand):
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
         hand.key(Key.Key_Tab)
-        assert begun.document.state.annotation.get(name) is not None
+        assert begun.services.state.annotation.get(name) is not None
 
 
 def test_undo_takes_back_what_is_waited_for_and_nothing_else(begun, hand, qtbot, told, go_on):
-    document = begun.document
-    document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
-    shortened = document.state.annotation
+    services = begun.services
+    services.editing.commit_edit("shorten", delete_point(services.state.annotation, KEPT[3], 0))
+    shortened = services.state.annotation
     wait_for_ghosts(begun, qtbot)
     hand.key(Key.Key_Return, SHIFT)
     hand.key(Key.Key_Z, CTRL)
     assert told[-1] == "no ghost was accepted: taken back"
     go_on.set()
     let_work_end(qtbot)
-    assert document.state.annotation is shortened
+    assert services.state.annotation is shortened
     hand.key(Key.Key_Z, CTRL)
-    assert document.state.annotation is not shortened
+    assert services.state.annotation is not shortened
 
 
 def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
     begun, hand, qtbot, told, go_on
 ):
-    document = begun.document
+    services = begun.services
     hand.key(Key.Key_Tab)
     name = current(begun)
-    left, top, right, bottom = ghost_extent(document.ghosts.current)
+    left, top, right, bottom = ghost_extent(services.ghosts.current)
     hand.key(Key.Key_Return)
     hand.click(left, top)
     assert "is not accepted: it is being drawn by hand" in told[-1]
@@ -134,58 +134,58 @@ def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
     go_on.set()
     hand.key(Key.Key_Return)
     let_work_end(qtbot)
-    assert len(document.state.annotation.get(name).points) == 2
+    assert len(services.state.annotation.get(name).points) == 2
 
 
 def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(begun, hand, qtbot, told):
-    document = begun.document
-    document.selecting.select_class("Middle line")
+    services = begun.services
+    services.selection.select_class("Middle line")
     hand.key(Key.Key_Tab)
     find(begun, qtbot)
     name = current(begun)
     hand.key(Key.Key_Return)
-    count = len(document.state.annotation.get(name).points)
-    assert document.state.selected_class != name
+    count = len(services.state.annotation.get(name).points)
+    assert services.state.selected_class != name
     assert begun.canvas.hint.startswith("GHOST the next one comes in a moment")
     hand.key(Key.Key_Period)  # there is no ghost yet that it could mean
     assert told[-1] == "the camera is being fitted: ghosts come in a moment"
-    assert not document.review.not_visible("00002")
+    assert not services.review.not_visible("00002")
     hand.click(700, 400)
     hand.key(Key.Key_Return)
-    assert len(document.state.annotation.get(name).points) == count
+    assert len(services.state.annotation.get(name).points) == count
 
 
 def test_chosen_in_the_list_and_accepted_with_all_others(begun, hand, qtbot):
-    document = begun.document
+    services = begun.services
     name = names(begun)[0]
-    document.selecting.select_class(name)
+    services.selection.select_class(name)
     hand.key(Key.Key_Return, SHIFT)
-    qtbot.waitUntil(lambda: document.state.annotation.get(name) is not None, timeout=20_000)
-    assert document.state.selected_class is None
+    qtbot.waitUntil(lambda: services.state.annotation.get(name) is not None, timeout=20_000)
+    assert services.state.selected_class is None
 
 
 class TestTab:
     """It never throws the keyboard out of the picture, and says why there is nothing to go to."""
 
     def says(self, window: MainWindow, hand: Hand, told: list[str]) -> str:
-        frame = window.document.state.frame_index
+        frame = window.services.state.frame_index
         for _ in range(3):
             hand.key(Key.Key_Tab)
             assert QApplication.focusWidget() is window.canvas
-        assert window.document.state.frame_index == frame
+        assert window.services.state.frame_index == frame
         return told[-1]
 
     def test_in_blind_mode(self, begun, hand, told):
         hand.key(Key.Key_B)
         assert "no ghosts in blind mode" in self.says(begun, hand, told)
-        begun.document.selecting.select_class(None)
+        begun.services.selection.select_class(None)
         hand.key(Key.Key_Period)
         assert told[-1].startswith("no ghosts in blind mode")
         assert "choose an element first" in told[-1]
 
     def test_in_a_dataset_that_is_locked_to_it(self, begun, hand, told):
         """Neither committing the frame nor the live fit's key brings any."""
-        begun.document.blind_lock.set_locked(True)
+        begun.services.blind_lock.set_locked(True)
         said = self.says(begun, hand, told)
         assert said.startswith("no ghosts: ")
         assert "locked this dataset to blind mode" in said
@@ -207,7 +207,7 @@ class TestTab:
         frames.setFocus()
         QTest.keyClick(frames, Key.Key_Tab)
         assert QApplication.focusWidget() is not frames
-        assert begun.document.state.frame_index == 1
+        assert begun.services.state.frame_index == 1
 
 
 def test_nothing_is_accepted_that_is_hidden(begun, hand, qtbot, told):
@@ -222,7 +222,7 @@ def test_nothing_is_accepted_that_is_hidden(begun, hand, qtbot, told):
     hand.key(Key.Key_Return)
     QTest.keyRelease(begun.canvas, Key.Key_X)
     let_work_end(qtbot)
-    assert begun.document.state.annotation.annotated == KEPT
+    assert begun.services.state.annotation.annotated == KEPT
 
 
 def test_a_walk_left_goes_on_where_the_status_bar_says(begun, hand):
@@ -241,25 +241,25 @@ class TestReadOnly:
     @pytest.fixture
     def second(self, begun, make_window, annotated, qtbot, told) -> MainWindow:
         """Another window on the frame, which the first one has."""
-        first = begun.document
-        first.presence.set_dataset(annotated, "Ada")
-        first.presence.enter("00002")
+        first = begun.services
+        first.frame_lock.set_dataset(annotated, "Ada")
+        first.frame_lock.enter("00002")
         assert first.editing.begin_edit()
         second = make_window(annotated)
-        second.document.presence.set_dataset(annotated, "Ben")
-        second.document.walk.go_to(0)
-        second.document.walk.go_to(1)
-        second.document.presence.look()
-        assert "Ada" in second.document.state.why_not_editable
+        second.services.frame_lock.set_dataset(annotated, "Ben")
+        second.services.navigator.go_to(0)
+        second.services.navigator.go_to(1)
+        second.services.frame_lock.look()
+        assert "Ada" in second.services.state.why_not_editable
         wait_for_ghosts(second, qtbot)
         told.clear()
-        second.document.store.events.message.connect(lambda m: told.append(m.text))
+        second.services.store.events.message.connect(lambda m: told.append(m.text))
         return second
 
     def test_ghosts_can_be_looked_at_but_nothing_is_written(
         self, second, hand_on, qtbot, told, annotated
     ):
-        hand, document = hand_on(second), second.document
+        hand, services = hand_on(second), second.services
         hand.key(Key.Key_Tab)
         find(second, qtbot)
         assert "click and Enter do nothing" in second.canvas.hint
@@ -273,17 +273,17 @@ class TestReadOnly:
             hand.key(key, modifier)
             assert "Ada" in told[-1], key
         let_work_end(qtbot)
-        assert not document.review.not_visible("00002")
-        assert document.state.annotation.annotated == KEPT
+        assert not services.review.not_visible("00002")
+        assert services.state.annotation.annotated == KEPT
         assert not (annotated / "cameras" / "fitted").exists()
 
 
 def test_accepting_all_says_why_there_is_nothing_to_accept(window, hand_on, qtbot):
     """A frame without clicks has no camera, hence no ghosts; nor is one found in its picture."""
-    document = window.document
-    qtbot.waitUntil(lambda: not document.live_fit.working and not document.proposals.working)
-    assert not window.document.ghosts.painted
+    services = window.services
+    qtbot.waitUntil(lambda: not services.live_fit.working and not services.proposals.working)
+    assert not window.services.ghosts.painted
     hand_on(window).key(Key.Key_Return, SHIFT)
     told = window.status.hint.text()
-    looked = document.proposals.here is not None
+    looked = services.proposals.here is not None
     assert ("no camera was found in this picture" if looked else "no ghosts: annotate") in told

@@ -21,8 +21,8 @@ from procc_annotator.dataset.editing import append_points, delete_point
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.commands.elements import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.window.canvas_menu import canvas_menu
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.interaction.overlay_predictions import ghost_extent
@@ -41,18 +41,18 @@ def hand(begun, hand_on) -> Hand:
 
 
 def names(window: MainWindow) -> list[str]:
-    return [ghost.name for ghost in window.document.ghosts.known]
+    return [ghost.name for ghost in window.services.ghosts.known]
 
 
 def current(window: MainWindow) -> str | None:
-    ghost = window.document.ghosts.current
+    ghost = window.services.ghosts.current
     return ghost.name if ghost is not None else None
 
 
 def go(window: MainWindow, hand: Hand, qtbot: QtBot) -> str:
     """Tab, and wait until the points of the ghost are there."""
     hand.key(Key.Key_Tab)
-    ghosts = window.document.ghosts
+    ghosts = window.services.ghosts
     qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None, timeout=20_000)
     name = current(window)
     assert name is not None
@@ -63,7 +63,7 @@ class TestShown:
     def test_they_are_drawn_below_everything_and_hidden_with_the_rest(self, begun, hand):
         item = begun.canvas.overlay_item
         assert len(names(begun)) >= 5
-        assert not set(names(begun)) & set(begun.document.state.annotation.annotated)
+        assert not set(names(begun)) & set(begun.services.state.annotation.annotated)
         assert {s.layer for s in item.ghosts.strokes} == {"ghost"}
         QTest.keyPress(begun.canvas, Key.Key_X)
         assert item.ghosts is EMPTY_OVERLAY
@@ -83,13 +83,13 @@ class TestShown:
     def test_they_stay_while_new_ones_are_worked_out_but_not_those_annotated_now(
         self, begun, hand, qtbot
     ):
-        document, before = begun.document, names(begun)
-        points = document.state.annotation.get(KEPT[0]).points[:2]
-        document.editing.commit_edit(
-            "draw", append_points(document.state.annotation, before[0], points)
+        services, before = begun.services, names(begun)
+        points = services.state.annotation.get(KEPT[0]).points[:2]
+        services.editing.commit_edit(
+            "draw", append_points(services.state.annotation, before[0], points)
         )
-        assert document.live_fit.insight is None
-        assert [g.name for g in document.ghosts.painted] == before[1:]
+        assert services.live_fit.insight is None
+        assert [g.name for g in services.ghosts.painted] == before[1:]
         assert not names(begun)  # none of them can be accepted
         wait_for_ghosts(begun, qtbot)
         assert before[0] not in names(begun)
@@ -97,15 +97,15 @@ class TestShown:
 
 class TestWalk:
     def test_tab_goes_through_all_and_gives_the_view_back(self, begun, hand, told):
-        document, canvas = begun.document, begun.canvas
-        document.selecting.select_class("Middle line")
+        services, canvas = begun.services, begun.canvas
+        services.selection.select_class("Middle line")
         scale = canvas.view_scale
         visited = []
         for _ in names(begun):
             hand.key(Key.Key_Tab)
             visited.append(current(begun))
-            assert document.state.selected_class == current(begun)  # lists and field map show it
-            left, top, right, bottom = ghost_extent(document.ghosts.current)
+            assert services.state.selected_class == current(begun)  # lists and field map show it
+            left, top, right, bottom = ghost_extent(services.ghosts.current)
             a, b = canvas.to_view(left, top), canvas.to_view(right, bottom)
             room = canvas.viewport().rect().adjusted(-2, -2, 2, 2)
             assert room.contains(a.toPoint())
@@ -124,7 +124,7 @@ class TestWalk:
         hand.key(Key.Key_Tab)
         assert current(begun) is None
         assert canvas.view_scale == scale
-        assert document.state.selected_class == "Middle line"
+        assert services.state.selected_class == "Middle line"
         assert told[-1] == f"that was the last ghost; {len(visited)} ghosts left, Tab begins again"
         hand.key(Key.Key_Tab)
         assert current(begun) == visited[0]
@@ -141,27 +141,27 @@ class TestWalk:
     def test_drawing_by_hand_ends_the_walk_where_it_is(self, begun, hand):
         hand.key(Key.Key_Tab)
         name, scale = current(begun), begun.canvas.view_scale
-        left, top, right, bottom = ghost_extent(begun.document.ghosts.current)
+        left, top, right, bottom = ghost_extent(begun.services.ghosts.current)
         hand.click(left, top)
         assert current(begun) is None
         assert begun.canvas.view_scale == scale
         hand.click(right, bottom)
         hand.key(Key.Key_Return)  # finishes what is drawn
-        assert len(begun.document.state.annotation.get(name).points) == 2
+        assert len(begun.services.state.annotation.get(name).points) == 2
 
     def test_choosing_another_element_means_that_one(self, begun, hand):
         hand.key(Key.Key_Tab)
-        begun.document.selecting.select_class(names(begun)[2])
+        begun.services.selection.select_class(names(begun)[2])
         assert current(begun) == names(begun)[2]
-        begun.document.selecting.select_class("Middle line")
+        begun.services.selection.select_class("Middle line")
         assert current(begun) is None
-        assert begun.document.state.selected_class == "Middle line"
+        assert begun.services.state.selected_class == "Middle line"
 
     def test_the_status_bar_says_what_the_keys_do(self, begun, hand, qtbot):
         assert f"Tab: first of {len(names(begun))} ghosts" in begun.canvas.hint
         name = go(begun, hand, qtbot)
-        count = len(begun.document.ghosts.found(name).points)
-        title = begun.document.state.field.title_of(name)
+        count = len(begun.services.ghosts.found(name).points)
+        title = begun.services.state.field.title_of(name)
         assert f"GHOST {title}" in begun.canvas.hint
         assert f"Enter accepts {count} points" in begun.canvas.hint
         assert len(begun.canvas.overlay_item.ghosts.marks[0].centres) == count
@@ -169,22 +169,22 @@ class TestWalk:
 
 class TestAccept:
     def test_enter_accepts_what_is_shown_and_goes_on(self, begun, hand, qtbot, told):
-        document = begun.document
+        services = begun.services
         name = go(begun, hand, qtbot)
-        found = document.ghosts.found(name)
+        found = services.ghosts.found(name)
         following = names(begun)[1]
         hand.key(Key.Key_Return)
-        assert document.state.annotation.get(name).points == found.points
-        assert f"accepted {document.state.field.title_of(name)}" in told[-1]
+        assert services.state.annotation.get(name).points == found.points
+        assert f"accepted {services.state.field.title_of(name)}" in told[-1]
         wait_for_ghosts(begun, qtbot)
         assert current(begun) == following
-        counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
+        counts = services.review.origin_counts(services.state.frame.name, services.state.annotation)
         assert counts[OriginKind.SUGGESTED] == len(found.points)
         begun.actions_["colour_origin"].trigger()
         marks = [m for m in begun.canvas.overlay_item.overlay.marks if m.colour == "#CC79A7"]
         assert sum(len(m.centres) for m in marks if m.shape == "ring") == len(found.points)
         hand.key(Key.Key_Z, CTRL)
-        assert document.state.annotation.annotated == KEPT
+        assert services.state.annotation.annotated == KEPT
         wait_for_ghosts(begun, qtbot)
         assert name in names(begun)
 
@@ -196,99 +196,99 @@ class TestAccept:
             monkeypatch.setattr(module, "find_points", hidden)
         name = go(begun, hand, qtbot)
         hand.key(Key.Key_Return)
-        assert begun.document.state.annotation.get(name) is not None
+        assert begun.services.state.annotation.get(name) is not None
         assert "1 end cannot be seen: the points stop before" in told[-1]
 
     def test_enter_before_the_points_are_found_accepts_them_then(self, begun, hand, qtbot):
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
-        assert begun.document.state.annotation.get(name) is None
+        assert begun.services.state.annotation.get(name) is None
         qtbot.waitUntil(
-            lambda: begun.document.state.annotation.get(name) is not None, timeout=20_000
+            lambda: begun.services.state.annotation.get(name) is not None, timeout=20_000
         )
 
     def test_an_edit_in_between_drops_it(self, begun, hand, qtbot, told):
-        document = begun.document
+        services = begun.services
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
-        document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
+        services.editing.commit_edit("shorten", delete_point(services.state.annotation, KEPT[3], 0))
         wait_for_ghosts(begun, qtbot)
-        qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
-        assert document.state.annotation.get(name) is None
+        qtbot.waitUntil(lambda: services.ghosts.found(name) is not None, timeout=20_000)
+        assert services.state.annotation.get(name) is None
         assert any("not accepted: the frame was edited meanwhile" in text for text in told)
 
     def test_without_a_line_in_the_picture_nothing_is_accepted(
         self, begun, hand, qtbot, told, monkeypatch
     ):
-        document = begun.document
-        document.store.update(picture=np.full_like(document.walk.picture, 90))
+        services = begun.services
+        services.store.update(picture=np.full_like(services.navigator.picture, 90))
         name = go(begun, hand, qtbot)
         assert "no line is found along it" in begun.canvas.hint
         hand.key(Key.Key_Return)
-        assert document.state.annotation.get(name) is None
+        assert services.state.annotation.get(name) is None
         assert current(begun) == name
         assert "no painted line is found along it" in told[-1]
 
     def test_all_with_enough_of_their_line_in_one_step(self, begun, hand, qtbot, told):
-        document, known = begun.document, names(begun)
+        services, known = begun.services, names(begun)
         hand.key(Key.Key_Return, SHIFT)
-        qtbot.waitUntil(lambda: document.state.annotation.annotated != KEPT, timeout=20_000)
-        accepted = document.state.annotation.annotated[len(KEPT) :]
+        qtbot.waitUntil(lambda: services.state.annotation.annotated != KEPT, timeout=20_000)
+        accepted = services.state.annotation.annotated[len(KEPT) :]
         left = set(known) - set(accepted)
         assert len(accepted) >= 4
         said = next(text for text in told if text.startswith("accepted"))
         if left:
             assert f"accepted {len(accepted)} of {len(known)} ghosts" in said
         for name in left:
-            assert document.state.field.title_of(name) in said
+            assert services.state.field.title_of(name) in said
         begun.canvas.undo()
-        assert document.state.annotation.annotated == KEPT
+        assert services.state.annotation.annotated == KEPT
 
     def test_one_key_accepts_all_and_goes_on(self, begun, hand, qtbot):
-        document, here = begun.document, begun.document.state.frame_index
+        services, here = begun.services, begun.services.state.frame_index
         hand.key(Key.Key_Return, ALT)
-        qtbot.waitUntil(lambda: document.state.frame_index == here + 1, timeout=20_000)
+        qtbot.waitUntil(lambda: services.state.frame_index == here + 1, timeout=20_000)
         let_work_end(qtbot)
-        assert document.state.frame_index == here + 1
-        document.walk.go_to(here)
-        qtbot.waitUntil(lambda: document.state.frame_index == here, timeout=20_000)
-        assert len(document.state.annotation.annotated) >= len(KEPT) + 4
+        assert services.state.frame_index == here + 1
+        services.navigator.go_to(here)
+        qtbot.waitUntil(lambda: services.state.frame_index == here, timeout=20_000)
+        assert len(services.state.annotation.annotated) >= len(KEPT) + 4
 
     def test_where_nothing_can_be_accepted_it_goes_on_all_the_same(self, begun, hand, qtbot):
         """The frame is annotated: what is left of its lines cannot be seen."""
-        document, here = begun.document, begun.document.state.frame_index
-        document.store.update(picture=np.full_like(document.walk.picture, 90))
+        services, here = begun.services, begun.services.state.frame_index
+        services.store.update(picture=np.full_like(services.navigator.picture, 90))
         hand.key(Key.Key_Return, ALT)
-        qtbot.waitUntil(lambda: document.state.frame_index == here + 1, timeout=20_000)
-        document.walk.go_to(here)
-        qtbot.waitUntil(lambda: document.state.frame_index == here, timeout=20_000)
-        assert document.state.annotation.annotated == KEPT
+        qtbot.waitUntil(lambda: services.state.frame_index == here + 1, timeout=20_000)
+        services.navigator.go_to(here)
+        qtbot.waitUntil(lambda: services.state.frame_index == here, timeout=20_000)
+        assert services.state.annotation.annotated == KEPT
 
     def test_the_share_asked_for_is_kept(self, begun, hand, qtbot, told, monkeypatch):
         monkeypatch.setattr(QInputDialog, "getInt", lambda *_: (100, True))
         begun.actions_["ghost_support"].trigger()
         assert begun.ghost_tasks.accepting.least_support == 1.0
-        picture = np.full_like(begun.document.walk.picture, 90)
-        begun.document.store.update(picture=picture)
+        picture = np.full_like(begun.services.navigator.picture, 90)
+        begun.services.store.update(picture=picture)
         hand.key(Key.Key_Return, SHIFT)
         qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy, timeout=20_000)
         assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]
-        assert begun.document.state.annotation.annotated == KEPT
+        assert begun.services.state.annotation.annotated == KEPT
 
     def test_while_drawing_the_keys_keep_their_meaning(self, begun, hand):
-        begun.document.selecting.select_class("Middle line")
+        begun.services.selection.select_class("Middle line")
         hand.click(1000, 600)
         hand.click(1100, 650)
         hand.key(Key.Key_Return, SHIFT)
-        assert begun.document.state.annotation.annotated == (*KEPT, "Middle line")
+        assert begun.services.state.annotation.annotated == (*KEPT, "Middle line")
         assert not begun.ghost_tasks.accepting.busy
 
     def test_another_model_drops_what_was_asked_of_the_ghosts_before(
         self, begun, hand, qtbot, told, monkeypatch
     ):
-        document, go_on = begun.document, threading.Event()
+        services, go_on = begun.services, threading.Event()
 
         def slow(*terms: Any) -> GhostPoints:
             assert go_on.wait(20)
@@ -297,83 +297,83 @@ class TestAccept:
         monkeypatch.setattr(ghost_accepting, "find_points", slow)
         hand.key(Key.Key_Return, SHIFT)
         assert begun.ghost_tasks.accepting.busy
-        document.live_fit.set_model("P")
+        services.live_fit.set_model("P")
         assert not begun.ghost_tasks.accepting.busy
         assert told[-1] == "no ghost was accepted: the camera is another one meanwhile"
         go_on.set()
         wait_for_ghosts(begun, qtbot)
         let_work_end(qtbot)
-        assert document.state.annotation.annotated == KEPT
+        assert services.state.annotation.annotated == KEPT
 
     def test_enter_on_a_ghost_is_for_that_model(self, begun, hand, qtbot, told):
-        document = begun.document
+        services = begun.services
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
-        document.live_fit.set_model("P")
+        services.live_fit.set_model("P")
         assert "is not accepted: the camera is another one meanwhile" in told[-1]
         wait_for_ghosts(begun, qtbot)
-        qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
-        assert document.state.annotation.annotated == KEPT
+        qtbot.waitUntil(lambda: services.ghosts.found(name) is not None, timeout=20_000)
+        assert services.state.annotation.annotated == KEPT
 
     def test_all_from_the_menu_while_drawing_finishes_that_first(self, begun, hand, qtbot, told):
-        document = begun.document
-        document.selecting.select_class("Middle line")
+        services = begun.services
+        services.selection.select_class("Middle line")
         hand.click(1000, 600)
         hand.click(1100, 650)
         begun.actions_["accept_ghosts"].trigger()
-        assert document.state.annotation.annotated == (*KEPT, "Middle line")
+        assert services.state.annotation.annotated == (*KEPT, "Middle line")
         assert told[-1] == "what was being drawn is finished: accept the ghosts of the new fit"
         begun.actions_["accept_ghosts"].trigger()
         assert told[-1] == "the camera is being fitted: ghosts come in a moment"
         let_work_end(qtbot)
-        assert document.state.annotation.annotated == (*KEPT, "Middle line")
+        assert services.state.annotation.annotated == (*KEPT, "Middle line")
 
 
 class TestNotVisible:
     def test_the_key_hides_a_ghost_for_good_and_goes_on(self, begun, hand, qtbot):
-        document = begun.document
+        services = begun.services
         hand.key(Key.Key_Tab)
         name, following = names(begun)[:2]
         hand.key(Key.Key_Period)
-        assert name not in [ghost.name for ghost in document.ghosts.painted]
+        assert name not in [ghost.name for ghost in services.ghosts.painted]
         qtbot.waitUntil(lambda: current(begun) == following, timeout=20_000)
-        assert name not in [ghost.name for ghost in document.live_fit.insight.ghosts]
-        document.walk.go_to(2)
-        document.walk.go_to(1)
+        assert name not in [ghost.name for ghost in services.live_fit.insight.ghosts]
+        services.navigator.go_to(2)
+        services.navigator.go_to(1)
         wait_for_ghosts(begun, qtbot)
         assert name not in names(begun)
         hand.key(Key.Key_Period, CTRL)
         qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
 
     def test_the_same_key_on_the_chosen_element_takes_it_back(self, begun, hand, qtbot):
-        document, name = begun.document, names(begun)[0]
-        document.selecting.select_class(name)
+        services, name = begun.services, names(begun)[0]
+        services.selection.select_class(name)
         for hidden in (True, False):
             hand.key(Key.Key_Period)
-            assert (name in document.review.not_visible(document.state.frame.name)) is hidden
+            assert (name in services.review.not_visible(services.state.frame.name)) is hidden
         qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
 
     def test_an_annotated_element_is_visible(self, begun, hand, told):
-        begun.document.selecting.select_class(KEPT[0])
+        begun.services.selection.select_class(KEPT[0])
         hand.key(Key.Key_Period)
-        assert not begun.document.review.not_visible("00002")
+        assert not begun.services.review.not_visible("00002")
         assert "is annotated here" in told[-1]
 
     def test_the_menu_lists_them(self, begun, hand, qtbot):
-        document, name = begun.document, names(begun)[0]
-        title = document.state.field.title_of(name)
+        services, name = begun.services, names(begun)[0]
+        title = services.state.field.title_of(name)
         begun.ghost_tasks.set_not_visible(name, True)
         menu = self.menu(begun)
         (submenu,) = [m for m in menu.findChildren(QMenu) if "take back" in m.title()]
         (action,) = submenu.actions()
         assert action.text() == title
         action.trigger()
-        assert not document.review.not_visible("00002")
+        assert not services.review.not_visible("00002")
         assert not [m for m in self.menu(begun).findChildren(QMenu) if "back" in m.title()]
 
     def test_a_ghost_under_the_cursor_is_in_the_menu(self, begun, hand, qtbot):
-        ghost = begun.document.ghosts.named("Side line top")
+        ghost = begun.services.ghosts.named("Side line top")
         x, y = ghost.pieces[0].points_px[len(ghost.pieces[0].points_px) // 2].tolist()
         hand.move(x, y)
         assert begun.ghost_tasks.at_cursor() == "Side line top"
@@ -381,7 +381,7 @@ class TestNotVisible:
         place = begun.canvas.place
         accept.trigger()
         qtbot.waitUntil(
-            lambda: begun.document.state.annotation.get("Side line top") is not None, timeout=20_000
+            lambda: begun.services.state.annotation.get("Side line top") is not None, timeout=20_000
         )
         assert begun.canvas.place == place
 
@@ -389,7 +389,7 @@ class TestNotVisible:
     def menu(window: MainWindow) -> QMenu:
         return canvas_menu(
             window,
-            window.document,
+            window.services,
             window.actions_,
             window.element_edits,
             on_ground=True,
@@ -400,9 +400,9 @@ class TestNotVisible:
 
 class TestNext:
     def test_the_field_map_says_what_tells_most(self, begun, qtbot):
-        document, field_map = begun.document, begun.field_map
-        best = document.live_fit.insight.suggestions[0]
-        assert document.ghosts.suggestion == best
+        services, field_map = begun.services, begun.field_map
+        best = services.live_fit.insight.suggestions[0]
+        assert services.ghosts.suggestion == best
         at = field_map.place_of_next()
         ring = at + QPointF(9, 0)
         image = field_map.grab().toImage()
@@ -410,49 +410,49 @@ class TestNext:
         seen = image.pixelColor((ring * ratio).toPoint())
         assert seen.blue() > 150 > seen.red()
         QTest.mouseClick(field_map, Qt.MouseButton.LeftButton, pos=at.toPoint())
-        assert document.state.selected_class == best.name
+        assert services.state.selected_class == best.name
         begun.actions_["suggest"].trigger()
-        assert document.ghosts.suggestion is None
+        assert services.ghosts.suggestion is None
 
     def test_it_is_never_what_cannot_be_seen(self, begun):
-        best = begun.document.ghosts.suggestion.name
+        best = begun.services.ghosts.suggestion.name
         begun.ghost_tasks.set_not_visible(best, True)
-        suggestion = begun.document.ghosts.suggestion
+        suggestion = begun.services.ghosts.suggestion
         assert suggestion is None or suggestion.name != best
 
 
 class TestAutoAdvance:
     def finish(self, window: MainWindow, hand: Hand, name: str) -> str | None:
-        window.document.selecting.select_class(name)
+        window.services.selection.select_class(name)
         hand.click(600, 300)
         hand.click(700, 350)
         hand.key(Key.Key_Return)
-        return window.document.state.selected_class
+        return window.services.state.selected_class
 
     def test_it_goes_on_to_what_tells_most(self, begun, hand):
-        best = begun.document.ghosts.suggestion.name
+        best = begun.services.ghosts.suggestion.name
         other = next(name for name in names(begun) if name != best)
-        begun.document.selecting.select_class(other)
+        begun.services.selection.select_class(other)
         hand.click(600, 300)
-        assert f"goes on to {begun.document.state.field.title_of(best)}" in begun.canvas.hint
+        assert f"goes on to {begun.services.state.field.title_of(best)}" in begun.canvas.hint
         hand.click(700, 350)
         hand.key(Key.Key_Return)
-        assert begun.document.state.selected_class == best
+        assert begun.services.state.selected_class == best
 
     def test_never_to_what_is_not_in_sight(self, begun, hand):
-        document = begun.document
+        services = begun.services
         begun.actions_["suggest"].trigger()  # the nearest on the field comes next
-        away = document.ghosts.out_of_sight
+        away = services.ghosts.out_of_sight
         assert "Middle line" in away
         assert self.finish(begun, hand, "Side line top") not in away | {"Side line top"}
 
     def test_without_a_fit_as_ever(self, begun, hand):
-        document = begun.document
-        document.live_fit.set_wanted(False)
-        assert not document.ghosts.out_of_sight
+        services = begun.services
+        services.live_fit.set_wanted(False)
+        assert not services.ghosts.out_of_sight
         expected = next_element(
-            document.state.field,
-            append_points(document.state.annotation, "Side line top", (Point(0.1, 0.1),)),
+            services.state.field,
+            append_points(services.state.annotation, "Side line top", (Point(0.1, 0.1),)),
             "Side line top",
             begun.canvas.editor.seen_before,
         )
@@ -471,12 +471,12 @@ def test_nothing_is_looked_for_twice(begun, hand, qtbot, monkeypatch):
     monkeypatch.setattr(ghosts_module, "find_points", find)
     go(begun, hand, qtbot)
     first, second = names(begun)[:2]
-    qtbot.waitUntil(lambda: begun.document.ghosts.found(second) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: begun.services.ghosts.found(second) is not None, timeout=20_000)
     hand.key(Key.Key_Tab)
     assert current(begun) == second
-    assert begun.document.ghosts.found(second) is not None
+    assert begun.services.ghosts.found(second) is not None
     hand.key(Key.Key_Tab, SHIFT)
-    assert begun.document.ghosts.found(first) is not None
+    assert begun.services.ghosts.found(first) is not None
     assert asked.count(first) == asked.count(second) == 1
 
 
@@ -498,24 +498,24 @@ def test_a_search_that_fails_unexpectedly_does_not_end_the_searches(
 
 
 class TestState:
-    """What the document knows of ghosts, without a hand."""
+    """The ghosts of the state, without a hand."""
 
     @pytest.fixture
-    def document(self, annotated, qtbot) -> Iterator[Document]:
+    def services(self, annotated, qtbot) -> Iterator[Services]:
         path = annotated / "00002.json"
         entries = json.loads(path.read_text())
         path.write_text(json.dumps({name: entries[name] for name in KEPT}))
-        document = Document()
-        document.opening.open_path(annotated)
-        document.walk.go_to(1)
-        qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
-        yield document
-        document.close()
+        services = Services()
+        services.opening.open_path(annotated)
+        services.navigator.go_to(1)
+        qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+        yield services
+        services.close()
 
-    def test_a_walk(self, document):
-        ghosts = document.ghosts
+    def test_a_walk(self, services):
+        ghosts = services.ghosts
         known = [ghost.name for ghost in ghosts.known]
-        assert known == sorted(known, key=document.state.field.index.__getitem__)
+        assert known == sorted(known, key=services.state.field.index.__getitem__)
         assert ghosts.step(-1).name == known[-1]  # from behind
         assert ghosts.step(1) is None
         assert not ghosts.walking
@@ -528,48 +528,48 @@ class TestState:
         assert not ghosts.walking
         assert ghosts.step(1) is None
 
-    def test_behind_the_last_one_come_those_that_were_passed_over(self, document, qtbot):
-        ghosts, ends = document.ghosts, []
+    def test_behind_the_last_one_come_those_that_were_passed_over(self, services, qtbot):
+        ghosts, ends = services.ghosts, []
         ghosts.ended.connect(lambda: ends.append(True))
         first, *_, last = [ghost.name for ghost in ghosts.known]
         ghosts.go_to(last)
-        document.review.set_not_visible(document.state.frame.name, last, True)
+        services.review.set_not_visible(services.state.frame.name, last, True)
         assert ghosts.current is None
         qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
         assert ghosts.current.name == first
         for name in [ghost.name for ghost in ghosts.known]:
-            document.review.set_not_visible(document.state.frame.name, name, True)
+            services.review.set_not_visible(services.state.frame.name, name, True)
         qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
         assert ends == [True]
 
-    def test_another_frame_ends_the_walk(self, document):
-        document.ghosts.step(1)
-        document.walk.go_to(2)
-        assert not document.ghosts.walking
-        assert document.ghosts.painted == ()
+    def test_another_frame_ends_the_walk(self, services):
+        services.ghosts.step(1)
+        services.navigator.go_to(2)
+        assert not services.ghosts.walking
+        assert services.ghosts.painted == ()
 
-    def test_another_window_says_what_cannot_be_seen(self, document, annotated, qtbot):
-        name = document.ghosts.known[0].name
+    def test_another_window_says_what_cannot_be_seen(self, services, annotated, qtbot):
+        name = services.ghosts.known[0].name
         settings: list[str] = []
-        document.review.settingChanged.connect(settings.append)
+        services.review.settingChanged.connect(settings.append)
         theirs = WorkspaceDatabase.open(annotated, "Ben")
-        theirs.set_not_visible(document.state.frame.name, name, True)
+        theirs.set_not_visible(services.state.frame.name, name, True)
         theirs.set_setting("length", "104.3")
         assert theirs.close()
 
         def gone() -> bool:
-            document.review.poll()
-            return name not in [ghost.name for ghost in document.ghosts.painted]
+            services.review.poll()
+            return name not in [ghost.name for ghost in services.ghosts.painted]
 
         qtbot.waitUntil(gone, timeout=20_000)
         assert settings == ["length"]
-        assert document.review.setting("length") == "104.3"
+        assert services.review.setting("length") == "104.3"
 
-    def test_what_was_found_goes_with_its_insight(self, document, qtbot):
-        ghosts = document.ghosts
+    def test_what_was_found_goes_with_its_insight(self, services, qtbot):
+        ghosts = services.ghosts
         name = ghosts.step(1).name
         qtbot.waitUntil(lambda: ghosts.found(name) is not None, timeout=20_000)
-        document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
+        services.editing.commit_edit("shorten", delete_point(services.state.annotation, KEPT[3], 0))
         assert ghosts.found(name) is None
         assert ghosts.walking  # and goes on where it was
         qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
@@ -579,8 +579,8 @@ class TestState:
 def test_points_in_pictures_of_frames_that_were_left_are_let_go(begun, hand, qtbot):
     """Each keeps the picture alive that it was looked for in."""
     name = go(begun, hand, qtbot)
-    begun.document.walk.go_to(2)
-    begun.document.walk.go_to(1)
-    assert begun.document.ghosts.found(name) is None
+    begun.services.navigator.go_to(2)
+    begun.services.navigator.go_to(1)
+    assert begun.services.ghosts.found(name) is None
     wait_for_ghosts(begun, qtbot)
     assert go(begun, hand, qtbot) == name

@@ -70,14 +70,14 @@ def clicks(on_pitch, hand_on) -> Hand:
 
 
 def px(window: MainWindow, name: str) -> np.ndarray:
-    polyline = window.document.state.annotation.get(name)
+    polyline = window.services.state.annotation.get(name)
     assert polyline is not None
     return points_px(polyline, SIZE)
 
 
 def kinds(window: MainWindow) -> dict[OriginKind, int]:
-    document = window.document
-    return document.review.origin_counts(document.state.frame.name, document.state.annotation)
+    services = window.services
+    return services.review.origin_counts(services.state.frame.name, services.state.annotation)
 
 
 class TestSnapping:
@@ -94,7 +94,7 @@ class TestSnapping:
         assert kinds(on_pitch) == {OriginKind.CLICKED: 2}
 
     def test_ctrl_and_the_toggle_suspend_it(self, on_pitch, clicks):
-        on_pitch.document.selecting.select_class(MIDDLE)
+        on_pitch.services.selection.select_class(MIDDLE)
         first = clicks.click(484, 200, CTRL)
         clicks.key(Qt.Key.Key_S)
         second = clicks.click(484, 300)
@@ -115,7 +115,7 @@ class TestSnapping:
         assert found[0, 1] == pytest.approx(260, abs=1.5)
 
     def test_the_ring_shows_where_the_click_will_land(self, on_pitch, clicks):
-        on_pitch.document.selecting.select_class(MIDDLE)
+        on_pitch.services.selection.select_class(MIDDLE)
         clicks.move(484, 300)
         draft = on_pitch.canvas.editor.draft(on_pitch.canvas.cursor_px)
         assert draft.landing is not None
@@ -157,45 +157,45 @@ class TestLoupe:
 
 class TestLooks:
     def test_a_look_stays_across_frames_and_touches_no_pixel_of_the_frame(self, on_pitch, qtbot):
-        document, canvas = on_pitch.document, on_pitch.canvas
-        before = document.walk.picture.copy()
+        services, canvas = on_pitch.services, on_pitch.canvas
+        before = services.navigator.picture.copy()
         on_pitch.side_bar.looks.set_look(DisplayAdjustment(brightness=0.3))
         canvas.set_look(DisplayAdjustment(brightness=0.3))
         assert canvas.shown.pixels.mean() > before.mean() + 10
-        assert np.array_equal(document.walk.picture, before)
-        document.walk.next_frame()
-        assert canvas.shown.pixels.mean() > document.walk.picture.mean() + 10
+        assert np.array_equal(services.navigator.picture, before)
+        services.navigator.next_frame()
+        assert canvas.shown.pixels.mean() > services.navigator.picture.mean() + 10
         canvas.set_look(DisplayAdjustment(enhance=True))
-        qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, document.walk.picture))
+        qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, services.navigator.picture))
 
 
 class TestNextElement:
     def test_the_next_element_is_announced_and_then_chosen(self, on_pitch, clicks):
-        document = on_pitch.document
-        document.selecting.select_class("Big rect. left main")
+        services = on_pitch.services
+        services.selection.select_class("Big rect. left main")
         clicks.click(300, 300)
         announced = on_pitch.canvas.editor.upcoming
         assert announced is not None
-        element = document.state.field.element(announced)
+        element = services.state.field.element(announced)
         assert element.title in on_pitch.canvas.hint
         clicks.key(Qt.Key.Key_Return)
-        assert document.state.selected_class == announced
+        assert services.state.selected_class == announced
 
     def test_shift_enter_and_the_option_refuse_it(self, on_pitch, clicks):
-        document = on_pitch.document
-        document.selecting.select_class("Big rect. left main")
+        services = on_pitch.services
+        services.selection.select_class("Big rect. left main")
         clicks.click(300, 300)
         clicks.key(Qt.Key.Key_Return, SHIFT)
-        assert document.state.selected_class == "Big rect. left main"
+        assert services.state.selected_class == "Big rect. left main"
         on_pitch.actions_["auto_advance"].trigger()
-        document.selecting.select_class("Big rect. left main", continues=True)
+        services.selection.select_class("Big rect. left main", continues=True)
         clicks.click(300, 400)
         clicks.key(Qt.Key.Key_Return)
-        assert document.state.selected_class == "Big rect. left main"
+        assert services.state.selected_class == "Big rect. left main"
 
     def test_two_clicks_finish_a_straight_element_on_request(self, on_pitch, clicks):
         on_pitch.actions_["two_clicks"].trigger()
-        on_pitch.document.selecting.select_class(MIDDLE)
+        on_pitch.services.selection.select_class(MIDDLE)
         clicks.click(300, 300)
         clicks.click(300, 400)
         assert not on_pitch.canvas.editor.drawing
@@ -206,45 +206,45 @@ class TestLeaving:
     """A frame is left, or the program dies, while something is drawn."""
 
     def test_a_single_click_waits_and_is_no_element(self, on_pitch, clicks, pitch, qtbot):
-        document = on_pitch.document
-        document.selecting.select_class(MIDDLE)
+        services = on_pitch.services
+        services.selection.select_class(MIDDLE)
         clicks.click(480, 130)
         told = qtbot.waitSignal(
-            document.store.events.message,
+            services.store.events.message,
             check_params_cb=lambda m: m.text.startswith("kept 1 click of Half"),
         )
         with told:
-            document.walk.next_frame()
-        document.editing.save_now()
+            services.navigator.next_frame()
+        services.editing.save_now()
         assert not (pitch / "0.json").exists()
-        document.walk.previous_frame()
-        assert document.state.annotation.get_unconfirmed(MIDDLE) is not None
+        services.navigator.previous_frame()
+        assert services.state.annotation.get_unconfirmed(MIDDLE) is not None
         clicks.draw(MIDDLE, (480, 530))
         assert len(px(on_pitch, MIDDLE)) == 2
         assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
 
     @pytest.mark.new_window
     def test_clicks_under_way_outlive_the_program(self, on_pitch, clicks, pitch, make_window):
-        document = on_pitch.document
-        document.selecting.select_class(MIDDLE)
+        services = on_pitch.services
+        services.selection.select_class(MIDDLE)
         clicks.click(480, 130)
         clicks.click(480, 530)
-        assert document.review.database.flush()
+        assert services.review.database.flush()
         left = pitch.with_name("left")  # as it lies there while the hand is still at it
         shutil.copytree(pitch, left, ignore=shutil.ignore_patterns("locks"))
-        later = make_window(left).document
+        later = make_window(left).services
         waiting = later.state.annotation.get_unconfirmed(MIDDLE)
         assert len(waiting.points) == 2
         on_pitch.canvas.key("Enter")
-        assert document.review.database.flush()
-        assert not document.review.database.drafts()
+        assert services.review.database.flush()
+        assert not services.review.database.drafts()
 
 
 class TestRegularise:
     def test_two_clicks_become_a_line_of_points_on_the_line(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (482, 130), (478, 530))
-        on_pitch.document.selecting.select_class(MIDDLE)
-        with qtbot.waitSignal(on_pitch.document.store.events.annotationEdited):
+        on_pitch.services.selection.select_class(MIDDLE)
+        with qtbot.waitSignal(on_pitch.services.store.events.annotationEdited):
             clicks.key(Qt.Key.Key_R)
         found = px(on_pitch, MIDDLE)
         assert len(found) > 3
@@ -257,61 +257,61 @@ class TestRegularise:
     def test_the_whole_frame_is_one_step_of_undo(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (482, 130), (478, 530))
         clicks.draw(TOP, (5, 121), (955, 119))
-        before = on_pitch.document.state.annotation
-        with qtbot.waitSignal(on_pitch.document.store.events.annotationEdited):
+        before = on_pitch.services.state.annotation
+        with qtbot.waitSignal(on_pitch.services.store.events.annotationEdited):
             clicks.key(Qt.Key.Key_R, SHIFT)
         assert len(px(on_pitch, MIDDLE)) > 3
         assert len(px(on_pitch, TOP)) > 3
-        on_pitch.document.editing.undo()
-        assert on_pitch.document.state.annotation == before
+        on_pitch.services.editing.undo()
+        assert on_pitch.services.state.annotation == before
 
     def test_r_reaches_what_was_just_drawn(self, on_pitch, clicks, qtbot):
         """Finished, with the next element chosen already; and not finished yet."""
         for finish in (True, False):
-            on_pitch.document.selecting.select_class(MIDDLE)
+            on_pitch.services.selection.select_class(MIDDLE)
             clicks.click(484, 130)
             clicks.click(477, 530)
             if finish:
                 clicks.key(Qt.Key.Key_Return)
-                assert on_pitch.document.state.selected_class != MIDDLE
+                assert on_pitch.services.state.selected_class != MIDDLE
             with qtbot.waitSignal(
-                on_pitch.document.store.events.message,
+                on_pitch.services.store.events.message,
                 check_params_cb=lambda m: "regularised" in m.text,
             ):
                 clicks.key(Qt.Key.Key_R)
             assert len(px(on_pitch, MIDDLE)) > 2
-            while on_pitch.document.state.annotation.annotated:
+            while on_pitch.services.state.annotation.annotated:
                 clicks.key(Qt.Key.Key_Z, CTRL)
 
     @pytest.mark.parametrize("key", [(Qt.Key.Key_Z, CTRL), (Qt.Key.Key_Escape,)])
     def test_taken_back_before_it_is_there_nothing_else_is(self, on_pitch, clicks, qtbot, key):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         clicks.draw(TOP, (5, 118), (955, 122))
-        before = on_pitch.document.state.annotation
+        before = on_pitch.services.state.annotation
         clicks.key(Qt.Key.Key_R, SHIFT)
         clicks.key(*key)
-        assert "taken back" in on_pitch.document.state.told.text
+        assert "taken back" in on_pitch.services.state.told.text
         all_done(qtbot)
-        assert on_pitch.document.state.annotation == before
+        assert on_pitch.services.state.annotation == before
         clicks.key(Qt.Key.Key_Z, CTRL)  # and this takes back the last step
-        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
+        assert on_pitch.services.state.annotation.annotated == (MIDDLE,)
 
     def test_a_frame_that_is_left_is_not_regularised_and_that_is_said(
         self, on_pitch, clicks, qtbot
     ):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
-        before, said = on_pitch.document.state.annotation, []
-        on_pitch.document.store.events.message.connect(lambda m: said.append(m.text))
+        before, said = on_pitch.services.state.annotation, []
+        on_pitch.services.store.events.message.connect(lambda m: said.append(m.text))
         clicks.key(Qt.Key.Key_R, SHIFT)
         clicks.key(Qt.Key.Key_D)
         assert "the frame was left: nothing was regularised" in said
         clicks.key(Qt.Key.Key_A)
         all_done(qtbot)
-        assert on_pitch.document.state.annotation == before
+        assert on_pitch.services.state.annotation == before
 
     def test_what_is_regular_stays(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
-        said = on_pitch.document.store.events.message
+        said = on_pitch.services.store.events.message
         with qtbot.waitSignal(said, check_params_cb=lambda m: "regularised" in m.text):
             clicks.key(Qt.Key.Key_R)
         once = px(on_pitch, MIDDLE)
@@ -321,16 +321,16 @@ class TestRegularise:
 
     def test_what_was_thinned_out_is_regularised_again(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (484, 130), (477, 530))
-        document = on_pitch.document
+        services = on_pitch.services
         for _ in range(2):
             with qtbot.waitSignal(
-                document.store.events.message, check_params_cb=lambda m: "regularised" in m.text
+                services.store.events.message, check_params_cb=lambda m: "regularised" in m.text
             ):
                 clicks.key(Qt.Key.Key_R)
-            line = document.state.annotation.get(MIDDLE)
+            line = services.state.annotation.get(MIDDLE)
             assert len(line.points) > 3
             thin = Polyline(MIDDLE, (line.points[0], line.points[-1]))
-            document.editing.edit(
+            services.editing.edit(
                 "thin out", lambda annotation, thin=thin: annotation.with_polyline(thin)
             )
 
@@ -344,17 +344,17 @@ class TestRegularise:
         annotation = FrameAnnotation(tuple(hands))
         (tmp_path / "bra_mex.json").write_bytes(write_annotation(annotation))
         window = make_window(tmp_path)
-        hand, said = hand_on(window), window.document.store.events.message
+        hand, said = hand_on(window), window.services.store.events.message
         with qtbot.waitSignal(
             said, check_params_cb=lambda m: "regularised" in m.text, timeout=60_000
         ):
             hand.key(Qt.Key.Key_R, SHIFT)
-        once = window.document.state.annotation
+        once = window.services.state.annotation
         assert once != annotation
         with qtbot.waitSignal(said, check_params_cb=lambda m: "regular already" in m.text):
             hand.key(Qt.Key.Key_R, SHIFT)
             all_done(qtbot)
-        assert window.document.state.annotation == once
+        assert window.services.state.annotation == once
         bars = [e for e in frame.elements if e.kind in ("post", "crossbar")]
         assert len(bars) == 3
         for bar in bars:
@@ -365,7 +365,7 @@ class TestRegularise:
         aside = (UPRIGHT + 30, 330)
         clicks.draw(MIDDLE, (482, 130), (481, 230), aside, (479, 430), (478, 530))
         with qtbot.waitSignal(
-            on_pitch.document.store.events.message,
+            on_pitch.services.store.events.message,
             check_params_cb=lambda m: "1 point unconfirmed by paint" in m.text,
         ):
             clicks.key(Qt.Key.Key_R)
@@ -378,20 +378,20 @@ class TestCopying:
     def copy(self, window: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
         clicks.draw(MIDDLE, (480, 130), (480, 530))
         clicks.draw(TOP, (5, 120), (955, 120))
-        window.document.walk.next_frame()
-        with qtbot.waitSignal(window.document.store.events.annotationEdited, timeout=10_000):
+        window.services.navigator.next_frame()
+        with qtbot.waitSignal(window.services.store.events.annotationEdited, timeout=10_000):
             clicks.key(Qt.Key.Key_V)
 
     def test_copies_move_with_the_camera_and_count_for_nothing(
         self, on_pitch, clicks, qtbot, pitch
     ):
         self.copy(on_pitch, clicks, qtbot)
-        document = on_pitch.document
-        assert document.state.annotation.annotated == ()
-        waiting = document.state.annotation.get_unconfirmed(MIDDLE)
+        services = on_pitch.services
+        assert services.state.annotation.annotated == ()
+        waiting = services.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
         assert points_px(waiting, SIZE)[:, 0] == pytest.approx(UPRIGHT - SIZE[0] // 10, abs=1.5)
-        document.editing.save_now()
+        services.editing.save_now()
         assert not (pitch / "1.json").exists()
 
     def test_shift_v_confirms_all_and_they_are_saved_as_copied(
@@ -399,7 +399,7 @@ class TestCopying:
     ):
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_V, SHIFT)
-        assert set(on_pitch.document.state.annotation.annotated) == {MIDDLE, TOP}
+        assert set(on_pitch.services.state.annotation.annotated) == {MIDDLE, TOP}
         qtbot.waitUntil((pitch / "1.json").exists)
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
 
@@ -408,36 +408,36 @@ class TestCopying:
     def test_a_stray_click_goes_into_no_element_that_is_done(
         self, on_pitch, clicks, qtbot, done, goes_on
     ):
-        document = on_pitch.document
-        document.selecting.set_option("auto_advance", goes_on)
+        services = on_pitch.services
+        services.selection.set_option("auto_advance", goes_on)
         if done in ("finished", "seen again"):
             clicks.draw(MIDDLE, (480, 130), (480, 530))
-            document.selecting.select_class(MIDDLE)
+            services.selection.select_class(MIDDLE)
             if done == "seen again":
-                document.walk.next_frame()
-                document.walk.previous_frame()
+                services.navigator.next_frame()
+                services.navigator.previous_frame()
         else:
             self.copy(on_pitch, clicks, qtbot)
             for _ in range(2 if done == "confirmed" else 0):
                 clicks.key(Qt.Key.Key_Return)
             if done == "all":
                 clicks.key(Qt.Key.Key_V, SHIFT)
-        before = document.state.annotation
+        before = services.state.annotation
         clicks.click(300, 300)
         clicks.key(Qt.Key.Key_Return)
         for name in (MIDDLE, TOP):
-            assert document.state.annotation.get(name) == before.get(name)
-            assert document.state.annotation.get_unconfirmed(name) == before.get_unconfirmed(name)
+            assert services.state.annotation.get(name) == before.get(name)
+            assert services.state.annotation.get_unconfirmed(name) == before.get_unconfirmed(name)
 
     def test_dragging_a_copy_confirms_it_alone(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
-        waiting = on_pitch.document.state.annotation.get_unconfirmed(MIDDLE)
+        waiting = on_pitch.services.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
         (x, y), *_ = points_px(waiting, SIZE)
         clicks.drag((x, y), (x, y + 12))
-        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
-        assert on_pitch.document.state.annotation.get_unconfirmed(TOP) is not None
+        assert on_pitch.services.state.annotation.annotated == (MIDDLE,)
+        assert on_pitch.services.state.annotation.get_unconfirmed(TOP) is not None
 
     def test_clicking_on_goes_on_from_the_copy(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
@@ -447,29 +447,29 @@ class TestCopying:
 
     def test_enter_confirms_one_after_the_other(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
-        assert on_pitch.document.state.selected_class == MIDDLE  # chosen by itself
+        assert on_pitch.services.state.selected_class == MIDDLE  # chosen by itself
         clicks.key(Qt.Key.Key_Return)
-        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
+        assert on_pitch.services.state.annotation.annotated == (MIDDLE,)
         with qtbot.waitSignal(
-            on_pitch.document.store.events.message, check_params_cb=lambda m: "regular" in m.text
+            on_pitch.services.store.events.message, check_params_cb=lambda m: "regular" in m.text
         ):
             clicks.key(Qt.Key.Key_R)  # means the one just confirmed
-        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
+        assert on_pitch.services.state.annotation.annotated == (MIDDLE,)
         clicks.key(Qt.Key.Key_Return)
-        assert set(on_pitch.document.state.annotation.annotated) == {MIDDLE, TOP}
+        assert set(on_pitch.services.state.annotation.annotated) == {MIDDLE, TOP}
 
     def test_shift_delete_drops_them_and_undo_brings_them_back(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_Delete, SHIFT)
-        assert on_pitch.document.state.annotation.unconfirmed == ()
+        assert on_pitch.services.state.annotation.unconfirmed == ()
         clicks.key(Qt.Key.Key_Z, CTRL)
-        assert len(on_pitch.document.state.annotation.unconfirmed) == 2
+        assert len(on_pitch.services.state.annotation.unconfirmed) == 2
 
     def test_reversing_a_copy_confirms_it(self, on_pitch, clicks, qtbot):
         self.copy(on_pitch, clicks, qtbot)
-        waiting = on_pitch.document.state.annotation.get_unconfirmed(MIDDLE)
+        waiting = on_pitch.services.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
-        on_pitch.document.selecting.select_class(MIDDLE)
+        on_pitch.services.selection.select_class(MIDDLE)
         clicks.key(Qt.Key.Key_R, CTRL)
         assert px(on_pitch, MIDDLE) == pytest.approx(points_px(waiting, SIZE)[::-1], abs=1e-9)
 
@@ -477,15 +477,15 @@ class TestCopying:
         self.copy(on_pitch, clicks, qtbot)
         on_pitch.close()
         again = make_window(pitch)
-        assert again.document.state.frame.name == "1"  # and the window opens where one left
-        assert again.document.state.annotation.get_unconfirmed(MIDDLE) is not None
+        assert again.services.state.frame.name == "1"  # and the window opens where one left
+        assert again.services.state.annotation.get_unconfirmed(MIDDLE) is not None
 
 
 class TestUndoInTheMiddle:
     def test_undo_during_a_drag_puts_the_point_back_and_nothing_else(self, on_pitch, clicks):
         before = clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.draw(TOP, (300, 200), (400, 200))
-        on_pitch.document.selecting.set_mode("edit")
+        on_pitch.services.selection.set_mode("edit")
         viewport = on_pitch.canvas.viewport()
         left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
         QTest.mousePress(viewport, left, none, clicks.at(300, 300))
@@ -493,11 +493,11 @@ class TestUndoInTheMiddle:
         clicks.key(Qt.Key.Key_Z, CTRL)
         QTest.mouseRelease(viewport, left, none, clicks.at(320, 340))
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
-        assert on_pitch.document.state.annotation.annotated == (MIDDLE, TOP)
+        assert on_pitch.services.state.annotation.annotated == (MIDDLE, TOP)
 
     def test_a_point_inserted_and_taken_back_leaves_no_other_point_chosen(self, on_pitch, clicks):
         before = clicks.draw(MIDDLE, (300, 300), (400, 300), (500, 300))
-        on_pitch.document.selecting.set_mode("edit")
+        on_pitch.services.selection.set_mode("edit")
         viewport = on_pitch.canvas.viewport()
         left, alt = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.AltModifier
         QTest.mousePress(viewport, left, alt, clicks.at(350, 300))
@@ -505,7 +505,7 @@ class TestUndoInTheMiddle:
         QTest.mouseRelease(viewport, left, alt, clicks.at(352, 330))
         assert len(px(on_pitch, MIDDLE)) == 4
         clicks.key(Qt.Key.Key_Z, CTRL)
-        assert on_pitch.document.state.selection.point is None
+        assert on_pitch.services.state.selection.point is None
         clicks.key(Qt.Key.Key_Z, CTRL)
         clicks.key(Qt.Key.Key_Y, CTRL)
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
@@ -523,9 +523,9 @@ class TestHints:
 
     def test_the_next_click_is_told_beside_a_message_too(self, on_pitch, clicks, qtbot):
         told = on_pitch.status.hint.text
-        on_pitch.document.selecting.set_option("draw_first", False)
+        on_pitch.services.selection.set_option("draw_first", False)
         clicks.click(300, 300)  # no element is chosen: a message says so
-        on_pitch.document.selecting.select_class(MIDDLE)
+        on_pitch.services.selection.select_class(MIDDLE)
         clicks.click(300, 300)
         qtbot.waitUntil(lambda: "DRAW Halfway line, 1 point" in told())
         assert "choose an element first" in told()
@@ -534,7 +534,7 @@ class TestHints:
         TestCopying().copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
         clicks.move(700, 500)
-        on_pitch.document.selecting.select_class(None)
+        on_pitch.services.selection.select_class(None)
         clicks.key(Qt.Key.Key_A, CTRL)
         words = on_pitch.canvas.hint
         assert "Delete removes 4 points" in words
@@ -546,7 +546,7 @@ class TestSeveralPoints:
         before = clicks.draw(MIDDLE, (300, 300), (340, 320), (600, 420))
         clicks.key(Qt.Key.Key_W)
         clicks.drag((270, 270), (380, 350))
-        assert on_pitch.document.state.selection.points == {(MIDDLE, 0), (MIDDLE, 1)}
+        assert on_pitch.services.state.selection.points == {(MIDDLE, 0), (MIDDLE, 1)}
         clicks.key(Qt.Key.Key_Down)
         assert px(on_pitch, MIDDLE)[:2] == pytest.approx(before[:2] + np.array([0, 1]), abs=1e-6)
         assert px(on_pitch, MIDDLE)[2] == pytest.approx(before[2], abs=1e-6)
@@ -560,19 +560,19 @@ class TestSeveralPoints:
         clicks.key(Qt.Key.Key_W)
         clicks.click(300, 300)
         clicks.click(500, 300, SHIFT)
-        assert on_pitch.document.state.selection.points == {(MIDDLE, 0), (MIDDLE, 2)}
+        assert on_pitch.services.state.selection.points == {(MIDDLE, 0), (MIDDLE, 2)}
         clicks.click(500, 300, SHIFT)
-        assert on_pitch.document.state.selection.point == (MIDDLE, 0)
-        assert not on_pitch.document.state.selection.points
+        assert on_pitch.services.state.selection.point == (MIDDLE, 0)
+        assert not on_pitch.services.state.selection.points
 
     def test_a_click_on_one_of_several_means_that_one(self, on_pitch, clicks):
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
         clicks.key(Qt.Key.Key_A, CTRL)
-        assert len(on_pitch.document.state.selection.points) == 2
+        assert len(on_pitch.services.state.selection.points) == 2
         clicks.click(400, 300)
-        assert on_pitch.document.state.selection.point == (MIDDLE, 1)
-        assert not on_pitch.document.state.selection.points
+        assert on_pitch.services.state.selection.point == (MIDDLE, 1)
+        assert not on_pitch.services.state.selection.points
 
 
 class TestWholeElements:
@@ -590,12 +590,12 @@ class TestWholeElements:
     def test_the_menu_changes_and_swaps_classes(self, on_pitch, clicks):
         first = clicks.draw(MIDDLE, (300, 300), (400, 300))
         second = clicks.draw(TOP, (300, 350), (400, 350))
-        on_pitch.document.selecting.select_class(MIDDLE)
+        on_pitch.services.selection.select_class(MIDDLE)
         choose(on_pitch, "Change class to (swaps with an annotated one)", TOP)
         assert px(on_pitch, TOP) == pytest.approx(first, abs=1e-9)
         assert px(on_pitch, MIDDLE) == pytest.approx(second, abs=1e-9)
-        assert on_pitch.document.state.selected_class == TOP
-        on_pitch.document.editing.undo()
+        assert on_pitch.services.state.selected_class == TOP
+        on_pitch.services.editing.undo()
         assert px(on_pitch, MIDDLE) == pytest.approx(first, abs=1e-9)
 
     def test_the_menu_splits_at_a_point_and_merges_again(self, on_pitch, clicks):
@@ -604,26 +604,26 @@ class TestWholeElements:
         clicks.click(400, 300)
         choose(on_pitch, "Split here: the rest becomes", TOP)
         assert len(px(on_pitch, MIDDLE)) == len(px(on_pitch, TOP)) == 2
-        on_pitch.document.selecting.select_point(None)
-        on_pitch.document.selecting.select_class(TOP)
+        on_pitch.services.selection.select_point(None)
+        on_pitch.services.selection.select_class(TOP)
         choose(on_pitch, "Merge into", MIDDLE)
         assert len(px(on_pitch, MIDDLE)) == 3
 
     def test_a_right_click_selects_what_is_under_it(self, on_pitch, clicks, qtbot):
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
-        on_pitch.document.selecting.select_class(None)
+        on_pitch.services.selection.select_class(None)
         on_pitch.canvas.editor.point_at((350.0, 301.0))
-        assert on_pitch.document.state.selected_class == MIDDLE
+        assert on_pitch.services.state.selected_class == MIDDLE
         on_pitch.canvas.editor.point_at((400.0, 300.0))
-        assert on_pitch.document.state.selection.point == (MIDDLE, 1)
+        assert on_pitch.services.state.selection.point == (MIDDLE, 1)
         on_pitch.canvas.editor.point_at((350.0, 301.0))
-        assert on_pitch.document.state.selection.point is None
+        assert on_pitch.services.state.selection.point is None
         on_pitch.canvas.editor.point_at((700.0, 450.0))
         assert on_pitch.canvas.editor.on_ground
         menu = canvas_menu(
             on_pitch,
-            on_pitch.document,
+            on_pitch.services,
             on_pitch.actions_,
             on_pitch.element_edits,
             on_ground=on_pitch.canvas.editor.on_ground,
@@ -632,9 +632,9 @@ class TestWholeElements:
 
     def test_a_duplicate_waits_under_the_symmetric_class(self, on_pitch, clicks):
         clicks.draw("Big rect. left top", (300, 300), (400, 300))
-        on_pitch.document.selecting.select_class("Big rect. left top")
+        on_pitch.services.selection.select_class("Big rect. left top")
         clicks.key(Qt.Key.Key_D, CTRL)
-        waiting = on_pitch.document.state.annotation.get_unconfirmed("Big rect. right bottom")
+        waiting = on_pitch.services.state.annotation.get_unconfirmed("Big rect. right bottom")
         assert waiting is not None
         clicks.drag((350, 300), (350, 360))  # unconfirmed elements are not pinned
         assert px(on_pitch, "Big rect. right bottom")[:, 1] == pytest.approx(360, abs=1.5)
@@ -642,18 +642,18 @@ class TestWholeElements:
     def test_of_several_symmetric_classes_the_free_one_is_offered(self, on_pitch, clicks, tmp_path):
         path = tmp_path / "square.toml"
         path.write_text(_square())
-        document = on_pitch.document
-        document.terms.set_field(load_field(path))
+        services = on_pitch.services
+        services.evaluation.set_field(load_field(path))
         clicks.draw("Side right", (300, 300), (400, 300))
         for expected in ("Side bottom", "Side left"):
-            document.selecting.select_class("Side right")
+            services.selection.select_class("Side right")
             clicks.key(Qt.Key.Key_D, CTRL)
-            assert document.state.annotation.get_unconfirmed(expected) is not None
+            assert services.state.annotation.get_unconfirmed(expected) is not None
             on_pitch.element_edits.confirm_all()
-        document.selecting.set_mode("draw")
+        services.selection.set_mode("draw")
         clicks.draw("Side top", (300, 200), (400, 200))
-        texts = heard(document)
-        document.selecting.select_class("Side right")
+        texts = heard(services)
+        services.selection.select_class("Side right")
         clicks.key(Qt.Key.Key_D, CTRL)
         assert texts[-1] == "Side bottom, Side left, Side top are annotated already"
 
@@ -689,7 +689,7 @@ end = ["{u}", "{v}", "0"]
 
 def choose(window: MainWindow, title: str, class_name: str) -> None:
     """Choose a class in a submenu of the menu at the cursor."""
-    menu = canvas_menu(window, window.document, window.actions_, window.element_edits)
+    menu = canvas_menu(window, window.services, window.actions_, window.element_edits)
     submenu = next(a.menu() for a in menu.actions() if a.text() == title)
     for action in (a for m in (submenu, *submenu.findChildren(QMenu)) for a in m.actions()):
         if action.data() == class_name and action.isEnabled():

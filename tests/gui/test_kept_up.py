@@ -33,30 +33,30 @@ def second_annotator(annotated, tmp_path) -> Path:
 
 
 def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(audited):
-    document = audited.document
-    judged, other = document.state.sources[:2]
-    assert document.state.active is judged
-    for source in document.state.sources[2:]:
-        document.camera_sources.set_source_visible(source, False)
-    document.camera_sources.set_source_colour(other, judged.colour)
-    document.camera_sources.set_source_visible(other, True)
+    services = audited.services
+    judged, other = services.state.sources[:2]
+    assert services.state.active is judged
+    for source in services.state.sources[2:]:
+        services.camera_sources.set_source_visible(source, False)
+    services.camera_sources.set_source_colour(other, judged.colour)
+    services.camera_sources.set_source_visible(other, True)
     named = [name for name, _ in audited.canvas.comparison.names_of_others()]
     assert named == [other.name]
 
 
 def test_who_is_editing_is_another_one_than_before(window, dataset):
-    document, folder = window.document, locks_folder(dataset)
+    services, folder = window.services, locks_folder(dataset)
     ann, bob = (
         FrameLocks(folder, "Ann"),
         FrameLocks(folder, "Bob"),
     )
     assert ann.acquire("frame_0") is None
-    document.presence.look()
-    assert "Ann" in document.state.why_not_editable
+    services.frame_lock.look()
+    assert "Ann" in services.state.why_not_editable
     ann.release("frame_0")
     assert bob.acquire("frame_0") is None
-    document.presence.look()
-    assert "Bob" in document.state.why_not_editable
+    services.frame_lock.look()
+    assert "Bob" in services.state.why_not_editable
     bob.release("frame_0")
 
 
@@ -66,7 +66,7 @@ def test_others_see_the_name_that_was_entered_last(window, hand, dataset):
     (lock,) = locks_folder(dataset).glob("*.lock")
     assert json.loads(lock.read_text())["author"] == "Grace"
     window.options.change(AUTHOR, "Ada")
-    window.document.presence.beat()
+    window.services.frame_lock.beat()
     assert json.loads(lock.read_text())["author"] == "Ada"
 
 
@@ -80,32 +80,32 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
     settle(window, qtbot)
     with monkeypatch.context() as broken:
         broken.setattr("procc_annotator.formats.atomic.os.open", full)
-        window.document.editing.undo()
+        window.services.editing.undo()
         window.frames.filter.setText("is:unsaved")
         qtbot.waitUntil(lambda: window.frames.model.shown == 1)
-    window.document.editing.save_now()
+    window.services.editing.save_now()
     qtbot.waitUntil(lambda: window.frames.model.shown == 0)
 
 
 class TestBlind:
     def test_distances_to_a_second_annotator_are_hidden(self, audited, second_annotator, qtbot):
-        panel, document = audited.agreement, audited.document
+        panel, services = audited.agreement, audited.services
         panel.open(second_annotator)
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
-        document.blind_lock.set_blind(True)
+        services.blind_lock.set_blind(True)
         qtbot.waitUntil(lambda: panel.rows.rowCount() == 0)
         assert panel.frame.text().startswith("Hidden")
-        document.editing.commit_frame()
+        services.editing.commit_frame()
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
 
     def test_a_camera_that_cannot_be_read_is_told_of_once_the_frame_is_committed(
         self, audited, qtbot
     ):
-        document, model = audited.document, audited.frames.model
-        name = document.state.frame.name
-        document.state.active.problems[name] = "cannot be read"
+        services, model = audited.services, audited.frames.model
+        name = services.state.frame.name
+        services.state.active.problems[name] = "cannot be read"
         assert model._camera_problem(name)
-        document.blind_lock.set_blind(True)
+        services.blind_lock.set_blind(True)
         assert not model._camera_problem(name)
         audited.frames.filter.setText("camera:unreadable")
         qtbot.waitUntil(lambda: model.shown == 0)
@@ -119,7 +119,7 @@ def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(window, qtbo
         return [row.text for row in sheet.table.shown()]
 
     assert "Halfway line" in " ".join(elements())
-    window.document.terms.set_field(load_field("basketball_fiba"))
+    window.services.evaluation.set_field(load_field("basketball_fiba"))
     assert "Halfway line" not in " ".join(elements())
     sheet.close()
 
@@ -130,23 +130,23 @@ class TestDamage:
         hand.draw(MIDDLE, *ENDS)
         until_kept()
         (dataset / "frame_0.json").write_text('{"Middle line": [{')
-        window.document.editing.look_at_frame()
-        assert window.document.state.damage
+        window.services.editing.look_at_frame()
+        assert window.services.state.damage
         return window
 
     def test_nobody_is_done_with_a_frame_that_cannot_be_read(self, damaged):
-        damaged.document.editing.commit_frame()
-        assert damaged.document.review.status("frame_0") is not Status.DONE
+        damaged.services.editing.commit_frame()
+        assert damaged.services.review.status("frame_0") is not Status.DONE
 
     def test_an_earlier_version_takes_the_place_of_a_file_that_cannot_be_read(
         self, damaged, dataset, qtbot
     ):
-        document = damaged.document
-        database = document.review.database
+        services = damaged.services
+        database = services.review.database
         version = database.versions("frame_0")[-1].id
-        apply_version(document, version)
-        assert document.state.annotation.annotated == (MIDDLE,)
-        assert not document.state.damage
+        apply_version(services, version)
+        assert services.state.annotation.annotated == (MIDDLE,)
+        assert not services.state.damage
         assert list(json.loads((dataset / "frame_0.json").read_text())) == [MIDDLE]
         kept = [database.version_data(v.id) for v in database.versions("frame_0")]
         assert b'{"Middle line": [{' in kept
@@ -156,10 +156,10 @@ class TestDamage:
         first = sorted(annotated.glob("*.jpg"))[0]
         first.write_bytes(b"no picture")
         window = make_window(annotated)
-        said = heard(window.document)
+        said = heard(window.services)
         for name in ("regularise", "regularise_all", "close_gaps"):
             said.clear()
-            window.document.selecting.select_class(window.document.state.annotation.annotated[0])
+            window.services.selection.select_class(window.services.state.annotation.annotated[0])
             window.actions_[name].trigger()
             assert any(first.name in text for text in said), name
 
@@ -171,73 +171,73 @@ def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(
     inner.mkdir(parents=True)
     (inner / "a.png").write_bytes(striped[0])
     window.opening.drop([tmp_path / "match"])
-    assert window.document.state.workspace.root == tmp_path / "match"
-    assert not window.document.state.sources
+    assert window.services.state.workspace.root == tmp_path / "match"
+    assert not window.services.state.sources
 
 
 class TestWhatWasLeft:
     def test_a_comment_that_is_half_typed_stays_with_its_frame(self, window, annotated):
-        box, document = window.review.text, window.document
+        box, services = window.review.text, window.services
         box.setText("the post is")
-        document.walk.go_to(1)
+        services.navigator.go_to(1)
         assert box.text() == ""
-        document.walk.go_to(0)
+        services.navigator.go_to(0)
         assert box.text() == "the post is"
-        document.opening.open_path(annotated)
+        services.opening.open_path(annotated)
         assert box.text() == ""
 
     def test_approved_in_the_panel_stays_when_a_line_was_under_way(self, window, hand):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         hand.click(100, 100)
         box = window.review.status
         box.setCurrentIndex(box.findText("Approved"))
         box.activated.emit(box.currentIndex())
-        window.document.walk.go_to(1)
-        assert window.document.review.status("frame_0") is Status.APPROVED
+        window.services.navigator.go_to(1)
+        assert window.services.review.status("frame_0") is Status.APPROVED
 
     def test_a_frame_left_before_its_fit_came_keeps_no_fit_of_other_clicks(self, begun, qtbot):
-        document = begun.document
-        name, fits = document.state.frame.name, document.fit_source
+        services = begun.services
+        name, fits = services.state.frame.name, services.fit_source
         qtbot.waitUntil(lambda: name in fits.cameras.fits)
-        first = document.state.annotation.annotated[0]
-        document.editing.edit("taken out", lambda seen: seen.without(first))
-        document.walk.next_frame()
+        first = services.state.annotation.annotated[0]
+        services.editing.edit("taken out", lambda seen: seen.without(first))
+        services.navigator.next_frame()
         assert name not in fits.cameras.fits
         settle(begun, qtbot)
 
     def test_the_noise_of_two_annotators_follows_the_clicks(self, audited, second_annotator, qtbot):
-        panel, document = audited.agreement, audited.document
+        panel, services = audited.agreement, audited.services
         panel.open(second_annotator)
         qtbot.waitUntil(lambda: "median 0.00 px" in panel.noise.text())
-        line = document.state.annotation.polylines[0]
+        line = services.state.annotation.polylines[0]
         moved = tuple(point._replace(v=point.v + 0.02) for point in line.points)
-        others = tuple(p for p in document.state.annotation.polylines if p is not line)
-        document.editing.commit_edit(
+        others = tuple(p for p in services.state.annotation.polylines if p is not line)
+        services.editing.commit_edit(
             "moved", FrameAnnotation((replace(line, points=moved), *others))
         )
-        before = document.state.noise_floor
-        qtbot.waitUntil(lambda: document.state.noise_floor != before)
+        before = services.state.noise_floor
+        qtbot.waitUntil(lambda: services.state.noise_floor != before)
         settle(audited, qtbot)
 
 
 def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(begun, qtbot):
-    document = begun.document
-    for name in document.state.annotation.annotated[:2]:
-        document.selecting.select_class(name)
+    services = begun.services
+    for name in services.state.annotation.annotated[:2]:
+        services.selection.select_class(name)
         begun.assistant.regularise_named(name)
     qtbot.waitUntil(lambda: not begun.assistant.busy)
     steps = []
-    while (step := document.editing.steps[0]) is not None:
+    while (step := services.editing.steps[0]) is not None:
         steps.append(step)
-        document.editing.undo()
+        services.editing.undo()
     assert sum("regularise" in step for step in steps) == 2
 
 
 class TestPaintedWidth:
     def test_it_is_drawn_in_the_next_frame_too(self, audited, qtbot):
-        document = audited.document
-        document.painted_width.set_enabled(True)
-        qtbot.waitUntil(lambda: document.painted_width.value is not None)
-        document.walk.next_frame()
-        qtbot.waitUntil(lambda: document.painted_width.value is not None)
-        document.painted_width.set_enabled(False)
+        services = audited.services
+        services.line_widths.set_enabled(True)
+        qtbot.waitUntil(lambda: services.line_widths.value is not None)
+        services.navigator.next_frame()
+        qtbot.waitUntil(lambda: services.line_widths.value is not None)
+        services.line_widths.set_enabled(False)

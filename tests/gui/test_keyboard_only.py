@@ -31,7 +31,7 @@ def go(hand: Hand, x: float, y: float) -> None:
 
 
 def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(window, hand, saved):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     for x, y in ((320, 40), (330, 250)):
         go(hand, x, y)
         hand.key(KEY.Key_Space, CTRL)
@@ -39,10 +39,10 @@ def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(window, hand, saved
     hand.key(KEY.Key_Return)
     assert saved() == pytest.approx(np.array([(320, 40), (330, 250)]), abs=0.06)
 
-    window.document.selecting.set_mode("edit")
+    window.services.selection.set_mode("edit")
     go(hand, 331, 250)
     hand.key(KEY.Key_Space)
-    assert window.document.state.selection.point == ("Middle line", 1)
+    assert window.services.state.selection.point == ("Middle line", 1)
     hand.key(KEY.Key_Down, CTRL)
     hand.key(KEY.Key_Left)
     assert saved()[1] == pytest.approx((329, 260), abs=0.06)
@@ -51,19 +51,19 @@ def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(window, hand, saved
 
 
 def test_a_point_is_put_on_a_line_by_keys_alone(window, hand, saved):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     for x, y in ((320, 40), (320, 250)):
         go(hand, x, y)
         hand.key(KEY.Key_Space, CTRL)
     hand.key(KEY.Key_Return)
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     go(hand, 322, 150)
     hand.key(KEY.Key_Insert)
     assert saved() == pytest.approx(np.array([(320, 40), (320, 150), (320, 250)]), abs=0.06)
-    assert window.document.state.selection.point == ("Middle line", 1)
+    assert window.services.state.selection.point == ("Middle line", 1)
     hand.key(KEY.Key_Right)  # it is chosen: the arrows move it
     assert saved()[1] == pytest.approx((321, 150), abs=0.06)
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     go(hand, 500, 150)
     hand.key(KEY.Key_Insert)
     assert len(saved()) == 3
@@ -71,9 +71,9 @@ def test_a_point_is_put_on_a_line_by_keys_alone(window, hand, saved):
 
 
 def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(window, hand):
-    document, keys = window.document, window.canvas.keys
+    services, keys = window.services, window.canvas.keys
     QApplication.sendEvent(window.canvas, QEvent(QEvent.Type.Leave))  # of tests before
-    document.selecting.select_class("Middle line")
+    services.selection.select_class("Middle line")
     hand.key(KEY.Key_Right)
     assert keys.crosshair.px == pytest.approx((320.5, 179.5), abs=1)
     assert (
@@ -87,7 +87,7 @@ def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(window, hand
     assert not keys.active
     hand.key(KEY.Key_Up)
     assert keys.crosshair.px == pytest.approx((100, 99), abs=1)
-    document.selecting.select_class(None)
+    services.selection.select_class(None)
     hand.key(KEY.Key_Escape)
     assert not keys.active
 
@@ -103,7 +103,7 @@ def test_the_view_follows_the_crosshair_and_the_picture_ends_it(window, hand):
 
 
 def test_space_still_pans(window, hand):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     hand.key(KEY.Key_Right)
     canvas = window.canvas
     QTest.keyPress(canvas, KEY.Key_Space)
@@ -145,20 +145,20 @@ def test_a_ring_shows_what_has_the_keyboard(window, hand):
 
 
 def test_elements_are_chosen_on_the_field_map_by_the_arrows(window, hand):
-    panel, document = window.field_map, window.document
+    panel, services = window.field_map, window.services
     panel.setFocus(Qt.FocusReason.TabFocusReason)
-    document.selecting.select_class("Middle line")
+    services.selection.select_class("Middle line")
     middle = panel.position_of("Middle line")
     QTest.keyClick(panel, KEY.Key_Right)
-    right = document.state.selected_class
+    right = services.state.selected_class
     assert right not in (None, "Middle line")
     assert panel.position_of(right).x() > middle.x()
     reached = set()
     for key in (KEY.Key_Left, KEY.Key_Up, KEY.Key_Right, KEY.Key_Down) * 3:
         for _ in range(30):
-            before = document.state.selected_class
+            before = services.state.selected_class
             QTest.keyClick(panel, key)
-            reached.add(document.state.selected_class)
-            if document.state.selected_class == before:
+            reached.add(services.state.selected_class)
+            if services.state.selected_class == before:
                 break
     assert len(reached) > 15

@@ -20,7 +20,7 @@ from tests.gui.conftest import sheet_text
 
 @pytest.fixture
 def dialog(window) -> KeymapDialog:
-    made = KeymapDialog(window.document.state.field, window.document.state.keymap, window)
+    made = KeymapDialog(window.services.state.field, window.services.state.keymap, window)
     made.show()
     return made
 
@@ -97,11 +97,11 @@ def test_other_keys_work_at_once_and_are_remembered(window, hand, qtbot, monkeyp
     own = Keymap({"next_frame": ("F2",)}, {"Middle line": "F"})
     use(window, monkeypatch, own.with_action(_spec("fit"), ("Ctrl+0",)))
     hand.key(Qt.Key.Key_D)
-    assert window.document.state.frame_index == 0
+    assert window.services.state.frame_index == 0
     hand.key(Qt.Key.Key_F2)
-    assert window.document.state.frame_index == 1
+    assert window.services.state.frame_index == 1
     hand.key(Qt.Key.Key_F)
-    assert window.document.state.selected_class == "Middle line"
+    assert window.services.state.selected_class == "Middle line"
     assert "(F2)" in window.actions_["next_frame"].toolTip()
     qtbot.waitUntil(lambda: "F" in _keys_of(window, "Halfway line"))
     assert to_values(Settings().get(KEYS))["elements"] == {"Middle line": "F"}
@@ -116,9 +116,9 @@ def test_the_next_run_begins_with_them(make_window, dataset):
     Settings().set(KEYS, PRESETS["Like CVAT"])
     window = make_window(dataset)
     QTest.keyClick(window.canvas, Qt.Key.Key_F)
-    assert window.document.state.frame_index == 1
+    assert window.services.state.frame_index == 1
     QTest.keyClick(window.canvas, Qt.Key.Key_D)
-    assert window.document.state.frame_index == 0
+    assert window.services.state.frame_index == 0
 
 
 def test_keys_go_to_a_file_and_come_back(dialog, tmp_path, monkeypatch):

@@ -37,8 +37,8 @@ def test_the_first_key_in_a_new_window_is_for_the_picture(dataset, qtbot):
         window.show()
         window.activateWindow()
     press("d")
-    assert window.document.state.frame_index == 1
-    window.document.close()
+    assert window.services.state.frame_index == 1
+    window.services.close()
 
 
 @pytest.mark.parametrize(("end", "tau"), [(Qt.Key.Key_Return, 7.0), (Qt.Key.Key_Escape, 5.0)])
@@ -47,10 +47,10 @@ def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(window, end, 
     box.setFocus()
     box.selectAll()
     press("7", end)
-    assert window.document.state.tau == box.value() == tau
+    assert window.services.state.tau == box.value() == tau
     assert window.canvas.hasFocus()
     press("d")
-    assert window.document.state.frame_index == 1
+    assert window.services.state.frame_index == 1
 
 
 def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(window, monkeypatch):
@@ -62,7 +62,7 @@ def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(window, monkeypa
         box.setFocus()
         box.selectAll()
         press(*typed, Qt.Key.Key_Return)
-        assert window.document.state.tau == box.value() == 5.0
+        assert window.services.state.tau == box.value() == 5.0
         assert told == [f"not {typed}: 0.5 to 30 px"]
 
 
@@ -119,11 +119,11 @@ class TestWhileDrawing:
     @pytest.fixture
     def box(self, audited, qtbot) -> QWidget:
         audited.panels.show("cameras")
-        audited.document.walk.go_to(4)
+        audited.services.navigator.go_to(4)
         box = audited.findChild(QCheckBox, "cameras_action_split")
         qtbot.waitUntil(box.isVisible)
-        audited.document.selecting.select_class("Middle line")
-        audited.document.selecting.set_mode("draw")
+        audited.services.selection.select_class("Middle line")
+        audited.services.selection.set_mode("draw")
         hand = Hand(audited)
         hand.click(100, 100)
         hand.click(200, 220)
@@ -142,7 +142,7 @@ class TestWhileDrawing:
     )
     def test_its_keys_still_mean_the_line(self, audited, box, key, points, drawing):
         press(key)
-        line = audited.document.state.annotation.get("Middle line")
+        line = audited.services.state.annotation.get("Middle line")
         assert len(line.points if line is not None else ()) == points
         assert audited.canvas.editor.drawing is drawing
         assert audited.canvas.hasFocus()

@@ -57,20 +57,20 @@ def annotated(annotated) -> Path:
 def window(make_window, annotated, qtbot) -> MainWindow:
     """The window on the sample, at a frame with a dozen right labels."""
     window = make_window(annotated)
-    window.document.walk.go_to(window.document.state.workspace.index["00002"])
+    window.services.navigator.go_to(window.services.state.workspace.index["00002"])
     wholly_checked(window, qtbot)
     return window
 
 
 def checked(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until the frame on screen has been checked as it is."""
-    check = window.document.label_check
+    check = window.services.label_check
     qtbot.waitUntil(lambda: check.checked is not None, timeout=20_000)
 
 
 def wholly_checked(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until it has been checked with its picture, too: nothing comes any more by itself."""
-    check = window.document.label_check
+    check = window.services.label_check
     qtbot.waitUntil(lambda: (kept := check.checked) is not None and kept.with_paint, timeout=20_000)
 
 
@@ -81,26 +81,26 @@ def press(
 
 
 def swap(window: MainWindow, qtbot: QtBot, a: str = FRONT, b: str = SMALL_FRONT) -> None:
-    document = window.document
-    document.editing.commit_edit("swap", editing.swap_classes(document.state.annotation, a, b))
+    services = window.services
+    services.editing.commit_edit("swap", editing.swap_classes(services.state.annotation, a, b))
     checked(window, qtbot)
 
 
 def reasons(window: MainWindow) -> list[str]:
-    return [found.finding.reason for found in window.document.label_check.shown]
+    return [found.finding.reason for found in window.services.label_check.shown]
 
 
 def concerned(window: MainWindow) -> set[str]:
-    return {n for found in window.document.label_check.shown for n in found.finding.elements}
+    return {n for found in window.services.label_check.shown for n in found.finding.elements}
 
 
 def put(window: MainWindow, *findings: Finding) -> None:
     """Let the check of the frame on screen have found this."""
-    document = window.document
-    size, frame = document.state.picture_size, document.state.frame
+    services = window.services
+    size, frame = services.state.picture_size, services.state.frame
     assert size is not None
     fit = FitResult("R", size, None)
-    document.label_check._take(frame.name, store_check(document.state.annotation, findings, fit))
+    services.label_check._take(frame.name, store_check(services.state.annotation, findings, fit))
     QApplication.processEvents()  # what is drawn together waits for the end of the turn
 
 
@@ -122,30 +122,30 @@ def about(name: str, severity: Severity, rule: Rule = Rule.RESIDUAL) -> Finding:
 
 
 def test_swapped_labels_are_found_and_mended_with_one_key(window, qtbot):
-    document = window.document
-    right = document.state.annotation
-    assert not document.label_check.shown
+    services = window.services
+    right = services.state.annotation
+    assert not services.label_check.shown
     swap(window, qtbot)
     assert concerned(window) >= {FRONT, SMALL_FRONT}
     press(window, Qt.Key.Key_F12)
-    assert document.state.annotation.same_content(right)
+    assert services.state.annotation.same_content(right)
     told = window.status.hint.text()
     assert told.startswith("swapped")
     assert "Ctrl+Z takes it back" in told
     checked(window, qtbot)
-    assert not document.label_check.shown
-    document.editing.undo()
+    assert not services.label_check.shown
+    services.editing.undo()
     checked(window, qtbot)
     assert concerned(window) >= {FRONT, SMALL_FRONT}
 
 
 def test_a_mended_element_keeps_how_its_points_came_to_be(window, qtbot):
-    document = window.document
+    services = window.services
     swap(window, qtbot)
-    frame = document.state.frame
-    before = dict(document.review.origins(frame.name))
+    frame = services.state.frame
+    before = dict(services.review.origins(frame.name))
     press(window, Qt.Key.Key_F12)
-    assert dict(document.review.origins(frame.name)) == before
+    assert dict(services.review.origins(frame.name)) == before
 
 
 def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
@@ -169,62 +169,62 @@ def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
 
 
 def test_signs_of_untouched_elements_stay_while_an_edit_is_checked(window):
-    document = window.document
+    services = window.services
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.ERROR))
-    moved = shifted(document.state.annotation, FRONT)
-    document.editing.commit_edit("move", moved)
+    moved = shifted(services.state.annotation, FRONT)
+    services.editing.commit_edit("move", moved)
     assert reasons(window) == ["Circle left is off"]
-    assert document.label_check.checked is None
+    assert services.label_check.checked is None
 
 
 def test_a_bad_point_is_removed_with_one_key(window):
-    document = window.document
-    before = document.state.annotation.get(FRONT)
+    services = window.services
+    before = services.state.annotation.get(FRONT)
     remedy = Remedy(RemedyKind.REMOVE_POINT, "remove point 2")
     put(window, Finding(Rule.POINT, Severity.WARNING, (FRONT,), "off", (remedy,), 1, 15.0))
     ring = window.canvas.overlay_item.overlay.marks[-1]
-    width, height = document.state.picture_size or (0, 0)
+    width, height = services.state.picture_size or (0, 0)
     point = before.points[1]
     np.testing.assert_allclose(ring.centres, [[point.u * (width - 1), point.v * (height - 1)]])
     press(window, Qt.Key.Key_F12)
-    after = document.state.annotation.get(FRONT)
+    after = services.state.annotation.get(FRONT)
     assert after.points == (*before.points[:1], *before.points[2:])
     assert "removed point 2 of Left penalty front" in window.status.hint.text()
-    document.editing.undo()
-    assert document.state.annotation.get(FRONT) == before
+    services.editing.undo()
+    assert services.state.annotation.get(FRONT) == before
 
 
 def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window):
-    document = window.document
+    services = window.services
     remedy = Remedy(RemedyKind.RELABEL, "relabel", ((FRONT, "Big rect. right main"),))
     put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
-    found = document.label_check.shown[0]
-    document.editing.commit_edit("move", shifted(document.state.annotation, FRONT))
+    found = services.label_check.shown[0]
+    services.editing.commit_edit("move", shifted(services.state.annotation, FRONT))
     window.label_check.apply(found, remedy)
-    assert document.state.annotation.get("Big rect. right main") is None
+    assert services.state.annotation.get("Big rect. right main") is None
     assert "changed since" in window.status.hint.text()
 
 
 def test_the_menu_over_an_element_offers_its_remedies(window):
-    document = window.document
+    services = window.services
     remedy = Remedy(
         RemedyKind.RELABEL, "relabel to Right penalty front", ((FRONT, "Big rect. right main"),)
     )
     put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
-    document.selecting.select_class(FRONT)
+    services.selection.select_class(FRONT)
 
     def entries() -> dict[str, object]:
         menu = canvas_menu(
-            window, document, window.actions_, window.element_edits, window.label_check
+            window, services, window.actions_, window.element_edits, window.label_check
         )
         return {action.text(): action for action in menu.actions()}
 
     entries()["Relabel to Right penalty front"].trigger()
-    assert document.state.annotation.get("Big rect. right main") is not None
-    assert document.state.annotation.get(FRONT) is None
-    assert document.state.selected_class == "Big rect. right main"
-    document.editing.undo()
-    document.selecting.select_class("Circle left")
+    assert services.state.annotation.get("Big rect. right main") is not None
+    assert services.state.annotation.get(FRONT) is None
+    assert services.state.selected_class == "Big rect. right main"
+    services.editing.undo()
+    services.selection.select_class("Circle left")
     assert "Relabel to Right penalty front" not in entries()
 
 
@@ -250,13 +250,13 @@ def mistaken(make_window, annotated, qtbot) -> MainWindow:
 def check_set(window: MainWindow, qtbot: QtBot) -> None:
     window.panels.show("findings")
     window.findings.check_button.click()
-    assert window.document.label_check.running
-    qtbot.waitUntil(lambda: not window.document.label_check.running, timeout=60_000)
+    assert window.services.label_check.running
+    qtbot.waitUntil(lambda: not window.services.label_check.running, timeout=60_000)
 
 
 def test_walking_over_a_set_visits_every_finding(mistaken, qtbot):
-    window, document = mistaken, mistaken.document
-    check = document.label_check
+    window, services = mistaken, mistaken.services
+    check = services.label_check
     check_set(window, qtbot)
     assert window.status.hint.text().startswith("checked 2 frames, camera model auto: ")
     found = check.known.in_set()
@@ -265,27 +265,27 @@ def test_walking_over_a_set_visits_every_finding(mistaken, qtbot):
     for _ in range(len(found)):
         press(window, Qt.Key.Key_F10)
         checked(window, qtbot)
-        frame, current = document.state.frame, check.current
-        assert document.state.selected_class == current.places[0][0]
+        frame, current = services.state.frame, check.current
+        assert services.state.selected_class == current.places[0][0]
         visited.append((frame.name, current.key))
     assert visited == [(frame, one.key) for frame, one in check.known.in_set()]
     press(window, Qt.Key.Key_F10)
     assert check.current.key == visited[0][1]
     press(window, Qt.Key.Key_F10, SHIFT)
-    assert document.state.frame.name == "00003"
+    assert services.state.frame.name == "00003"
     qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
 
 
 def test_mending_goes_on_with_the_next_frame(mistaken, qtbot):
-    window, document = mistaken, mistaken.document
+    window, services = mistaken, mistaken.services
     check_set(window, qtbot)
     for name in ("00002", "00003"):
         press(window, Qt.Key.Key_F10)
         checked(window, qtbot)
-        assert document.state.frame.name == name
+        assert services.state.frame.name == name
         press(window, Qt.Key.Key_F12)
         checked(window, qtbot)
-        assert not document.label_check.shown
+        assert not services.label_check.shown
     press(window, Qt.Key.Key_F10)
     assert "found nothing" in window.status.hint.text()
     window.findings.scope.setCurrentIndex(1)
@@ -293,13 +293,13 @@ def test_mending_goes_on_with_the_next_frame(mistaken, qtbot):
 
 
 def test_nothing_is_called_clean_that_is_still_looked_at(window, qtbot):
-    document = window.document
-    assert not document.label_check.shown
-    document.editing.commit_edit(
-        "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
+    services = window.services
+    assert not services.label_check.shown
+    services.editing.commit_edit(
+        "swap", editing.swap_classes(services.state.annotation, FRONT, SMALL_FRONT)
     )
     for key in (Qt.Key.Key_F10, Qt.Key.Key_F12):
-        document.say("")
+        services.say("")
         press(window, key)
         said = window.status.hint.text()
         assert said.startswith("the label check is still looking at this frame")
@@ -309,14 +309,14 @@ def test_nothing_is_called_clean_that_is_still_looked_at(window, qtbot):
 
 
 def test_another_dataset_is_walked_from_its_first_finding(window, tmp_path, qtbot):
-    document = window.document
-    workspace = document.state.workspace
+    services = window.services
+    workspace = services.state.workspace
     again = Path(shutil.copytree(workspace.folder, tmp_path / "again"))
     for folder in (None, again):
         if folder is not None:
             window.opening.open_path(folder)
-        document.editing.commit_edit(
-            "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
+        services.editing.commit_edit(
+            "swap", editing.swap_classes(services.state.annotation, FRONT, SMALL_FRONT)
         )
         wholly_checked(window, qtbot)
         press(window, Qt.Key.Key_F10)
@@ -342,37 +342,37 @@ def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(mistaken, qt
 
 
 def test_what_changed_while_the_set_was_checked_is_not_overwritten(mistaken, qtbot):
-    window, document = mistaken, mistaken.document
-    document.walk.go_to(1)
+    window, services = mistaken, mistaken.services
+    services.navigator.go_to(1)
     checked(window, qtbot)
-    assert document.label_check.shown
+    assert services.label_check.shown
     window.label_check.check_set()
     press(window, Qt.Key.Key_F12)
-    qtbot.waitUntil(lambda: not document.label_check.running, timeout=60_000)
+    qtbot.waitUntil(lambda: not services.label_check.running, timeout=60_000)
     checked(window, qtbot)
-    assert not document.label_check.known.of("00002")
+    assert not services.label_check.known.of("00002")
 
 
 def test_a_frame_left_before_its_check_is_checked_by_itself(window, qtbot):
-    document, check = window.document, window.document.label_check
-    document.editing.commit_edit(
-        "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
+    services, check = window.services, window.services.label_check
+    services.editing.commit_edit(
+        "swap", editing.swap_classes(services.state.annotation, FRONT, SMALL_FRONT)
     )
-    document.walk.go_to(0)  # before any fit can have ended
+    services.navigator.go_to(0)  # before any fit can have ended
     assert check.known.severities_of("00002") is None
     qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
     assert check.known.worst("00002") is Severity.ERROR
 
 
 def test_what_was_found_in_clicks_that_are_gone_is_not_kept(mistaken, qtbot):
-    window, document = mistaken, mistaken.document
-    check = document.label_check
-    document.walk.go_to(1)
+    window, services = mistaken, mistaken.services
+    check = services.label_check
+    services.navigator.go_to(1)
     checked(window, qtbot)
     before = check.known.check_of("00002")
     assert before.found
-    document.editing.commit_edit("clear", FrameAnnotation(document.state.annotation.polylines[2:]))
-    document.walk.go_to(0)
+    services.editing.commit_edit("clear", FrameAnnotation(services.state.annotation.polylines[2:]))
+    services.navigator.go_to(0)
     check._take_arrived([("00002", before)])  # read by the check of the set before the edit
     assert check.known.check_of("00002") != before
     qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
@@ -387,7 +387,7 @@ def test_checking_a_set_can_be_stopped(mistaken, qtbot):
     assert window.findings.stop_button.isVisible()
     assert window.findings.progress.isVisible()
     window.findings.stop_button.click()
-    assert not window.document.label_check.running
+    assert not window.services.label_check.running
     assert window.findings.check_button.isVisible()
     window.findings.scope.setCurrentIndex(1)
     assert "not checked yet" in window.findings.empty.text() + window.findings.note.text()
@@ -401,8 +401,8 @@ def test_a_large_set_is_checked_in_a_process_of_its_own(make_window, annotated, 
     (annotated / "105.json").write_text("{")
     window = make_window(annotated)
     check_set(window, qtbot)
-    assert window.document.label_check.known.count == 3
-    assert list(window.document.label_check.problems) == ["105"]
+    assert window.services.label_check.known.count == 3
+    assert list(window.services.label_check.problems) == ["105"]
     assert "1 frame cannot be checked" in window.status.hint.text()
 
 
@@ -416,7 +416,7 @@ def test_the_list_shows_what_the_signs_above_let_through(window, qtbot):
     qtbot.waitUntil(lambda: panel.model.rowCount() == 1)
     assert panel.model.severity(0) is Severity.HINT
     press(window, Qt.Key.Key_F10)
-    assert window.document.state.selected_class == "Circle left"
+    assert window.services.state.selected_class == "Circle left"
     panel.severity_buttons[Severity.HINT].click()
     qtbot.waitUntil(lambda: "2 more are not listed" in panel.empty.text())
 
@@ -442,7 +442,7 @@ def test_long_reasons_are_whole(window, qtbot):
 
 
 def test_a_click_in_the_list_goes_there_and_buttons_mend(window, qtbot):
-    document, panel = window.document, window.findings
+    services, panel = window.services, window.findings
     remedy = Remedy(RemedyKind.RELABEL, "relabel it", ((FRONT, "Big rect. right main"),))
     put(
         window,
@@ -453,10 +453,10 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window, qtbot):
     qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
     at = panel.list.visualRect(panel.model.index(1)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(at.x(), at.y()))
-    assert document.state.selected_class == FRONT
+    assert services.state.selected_class == FRONT
     qtbot.waitUntil(lambda: any(button.isVisible() for button in panel.remedy_buttons))
     panel.remedy_buttons[0].click()
-    assert document.state.annotation.get("Big rect. right main") is not None
+    assert services.state.annotation.get("Big rect. right main") is not None
 
 
 # --- ignoring -------------------------------------------------------------------------------------
@@ -466,7 +466,7 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window, qtbot):
 def test_an_ignored_finding_is_gone_until_its_element_changes(
     window, make_window, annotated, qtbot
 ):
-    document, check = window.document, window.document.label_check
+    services, check = window.services, window.services.label_check
     swap(window, qtbot)
     keys = [found.key for found in check.shown]
     press(window, Qt.Key.Key_F10)
@@ -475,12 +475,12 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     window.findings.list.setFocus()
     QTest.keyClick(window.findings.list, Qt.Key.Key_Delete)
     assert [found.key for found in check.shown] == keys[1:]
-    document.editing.save_now()
-    document.review.database.flush()
+    services.editing.save_now()
+    services.review.database.flush()
     other = make_window(annotated)  # remembered by the dataset
-    other.document.walk.go_to(document.state.frame_index)
+    other.services.navigator.go_to(services.state.frame_index)
     checked(other, qtbot)
-    assert [found.key for found in other.document.label_check.shown] == keys[1:]
+    assert [found.key for found in other.services.label_check.shown] == keys[1:]
     qtbot.waitUntil(lambda: "1 ignored" in window.findings.note.text()
                     or "ignored" in window.findings.empty.text())  # fmt: skip
     window.label_check.restore()
@@ -489,8 +489,8 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
 
 def ignore(window: MainWindow, name: str) -> None:
     """Ignore the finding about an element of the frame on screen."""
-    frame = window.document.state.frame
-    for found in window.document.label_check.shown:
+    frame = window.services.state.frame
+    for found in window.services.label_check.shown:
         if found.finding.elements == (name,):
             window.label_check.ignore(frame.name, found)
 
@@ -502,14 +502,14 @@ def test_ignoring_forgets_nothing_that_is_not_found_just_now(window):
     put(window, both[1])  # as by the rules that need no camera
     ignore(window, "Circle left")
     put(window, *both)
-    assert not window.document.label_check.shown
+    assert not window.services.label_check.shown
 
 
 def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
     window, make_window, annotated, qtbot
 ):
     other = make_window(annotated)
-    other.document.walk.go_to(window.document.state.frame_index)
+    other.services.navigator.go_to(window.services.state.frame_index)
     wholly_checked(other, qtbot)
     for each, name in ((window, FRONT), (other, "Circle left")):
         put(each, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
@@ -519,9 +519,9 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
 
     def both_know() -> bool:
         for each in (window, other):
-            database = each.document.review.database
+            database = each.services.review.database
             database.flush()
-            each.document.review.poll()
+            each.services.review.poll()
         return not concerned(window) and not concerned(other)
 
     qtbot.waitUntil(both_know)
@@ -534,48 +534,48 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
 
 
 def test_blind_mode_shows_only_what_no_camera_was_needed_for(mistaken, qtbot):
-    window, document = mistaken, mistaken.document
-    check = document.label_check
+    window, services = mistaken, mistaken.services
+    check = services.label_check
     check_set(window, qtbot)
-    document.walk.go_to(1)
+    services.navigator.go_to(1)
     checked(window, qtbot)
     assert check.shown
-    document.blind_lock.set_blind(True)
+    services.blind_lock.set_blind(True)
     checked(window, qtbot)
-    size = document.state.picture_size
+    size = services.state.picture_size
     assert size is not None
-    alone = check_without_fit(document.state.annotation, document.state.field, size=size)
+    alone = check_without_fit(services.state.annotation, services.state.field, size=size)
     assert check.shown == alone.found
     assert {frame for frame, _ in check.known.in_set()} <= {"00002"}  # no other one was checked so
     check_set(window, qtbot)
-    for name, index in document.state.workspace.index.items():
-        if annotation := document.state.workspace.read(index):
+    for name, index in services.state.workspace.index.items():
+        if annotation := services.state.workspace.read(index):
             assert (
                 check.known.of(name)
-                == check_without_fit(annotation, document.state.field, size=size).found
+                == check_without_fit(annotation, services.state.field, size=size).found
             ), name
     window.findings.scope.setCurrentIndex(0)
     window.panels.show("findings")
     qtbot.waitUntil(lambda: "Blind" in window.findings.empty.text() + window.findings.note.text())
-    document.editing.commit_frame()
+    services.editing.commit_frame()
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
 
 
 def test_rules_without_a_camera_are_looked_at_while_blind(window, qtbot):
-    document = window.document
-    document.blind_lock.set_blind(True)
+    services = window.services
+    services.blind_lock.set_blind(True)
     bent = Polyline(
         "Side line top", tuple(Point(0.1 + 0.2 * i, 0.2 + 0.1 * (i % 2)) for i in range(5))
     )
-    document.editing.commit_edit("bend", document.state.annotation.with_polyline(bent))
+    services.editing.commit_edit("bend", services.state.annotation.with_polyline(bent))
     checked(window, qtbot)
-    assert Rule.BENT in {found.finding.rule for found in document.label_check.shown}
-    document.editing.undo()
-    turned = mirrored_names(document.state.field, MIRROR_Y)
+    assert Rule.BENT in {found.finding.rule for found in services.label_check.shown}
+    services.editing.undo()
+    turned = mirrored_names(services.state.field, MIRROR_Y)
     assert turned is not None
-    document.editing.commit_edit("turn", relabelled(document.state.annotation, turned))
+    services.editing.commit_edit("turn", relabelled(services.state.annotation, turned))
     checked(window, qtbot)
-    assert Rule.REFLECTED in {found.finding.rule for found in document.label_check.shown}
+    assert Rule.REFLECTED in {found.finding.rule for found in services.label_check.shown}
 
 
 # --- what only the set tells ----------------------------------------------------------------------
@@ -597,31 +597,31 @@ def turned(make_window, sample_copy, qtbot) -> MainWindow:
 
 
 def test_a_turned_frame_is_told_by_the_set_and_turned_back(turned, qtbot):
-    window, document = turned, turned.document
-    check = document.label_check
-    document.walk.go_to(1)
+    window, services = turned, turned.services
+    check = services.label_check
+    services.navigator.go_to(1)
     wholly_checked(window, qtbot)
 
     def told() -> list[Rule]:
         return [found.finding.rule for found in check.shown]
 
     assert Rule.OTHER_SIDE not in told()
-    before = document.state.annotation
+    before = services.state.annotation
     check_set(window, qtbot)
     assert told()[0] is Rule.OTHER_SIDE
-    document.walk.go_to(0)
-    document.walk.go_to(1)
+    services.navigator.go_to(0)
+    services.navigator.go_to(1)
     wholly_checked(window, qtbot)
     assert told()[0] is Rule.OTHER_SIDE  # also once the frame was looked at anew
     press(window, Qt.Key.Key_F12)
     checked(window, qtbot)
     turned_back, turned_line = (
         a.get(f"Side line {side}")
-        for a, side in ((document.state.annotation, "right"), (before, "left"))
+        for a, side in ((services.state.annotation, "right"), (before, "left"))
     )
     assert turned_back.points == turned_line.points
     assert Rule.OTHER_SIDE not in told()
-    document.editing.undo()
+    services.editing.undo()
     checked(window, qtbot)
     assert told()[0] is Rule.OTHER_SIDE
 
@@ -630,26 +630,26 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(turned, qtbot):
 
 
 def test_the_panel_says_why_it_is_empty(window, qtbot):
-    document, panel = window.document, window.findings
+    services, panel = window.services, window.findings
     window.panels.show("findings")
 
     def says(words: str) -> None:
         qtbot.waitUntil(lambda: words in panel.empty.text(), timeout=20_000)
 
     says("Nothing found in this frame.")
-    document.editing.commit_edit("clear", FrameAnnotation())
+    services.editing.commit_edit("clear", FrameAnnotation())
     says("Nothing is annotated in this frame.")
-    document.editing.undo()
-    two = FrameAnnotation(document.state.annotation.polylines[:2])
-    document.editing.commit_edit("two", two)
+    services.editing.undo()
+    two = FrameAnnotation(services.state.annotation.polylines[:2])
+    services.editing.commit_edit("two", two)
     says("No camera fits yet")
-    document.editing.undo()
+    services.editing.undo()
     panel.scope.setCurrentIndex(1)
     says("not checked yet")
 
 
 def test_findings_are_exported(mistaken, qtbot, tmp_path):
-    window, check = mistaken, mistaken.document.label_check
+    window, check = mistaken, mistaken.services.label_check
     check_set(window, qtbot)
     path = tmp_path / "findings.csv"
     window.label_check.export(path)

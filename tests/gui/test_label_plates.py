@@ -53,11 +53,11 @@ def on_screen(window: MainWindow) -> np.ndarray:
 
 
 def test_what_gives_way_leaves_no_stain(audited, qtbot):
-    document, canvas = audited.document, audited.canvas
-    document.camera_sources.set_active_camera(
-        next(i for i, s in enumerate(document.state.sources) if s.name == "bad")
+    services, canvas = audited.services, audited.canvas
+    services.camera_sources.set_active_camera(
+        next(i for i, s in enumerate(services.state.sources) if s.name == "bad")
     )
-    document.selecting.set_mode("edit")
+    services.selection.set_mode("edit")
     settle(audited, qtbot)
     assert len(canvas.overlay_item.overlay.labels[0].texts) > 2
 
@@ -68,8 +68,8 @@ def test_what_gives_way_leaves_no_stain(audited, qtbot):
         settle(audited, qtbot)
         assert np.array_equal(part_by_part, on_screen(audited))
 
-    point = document.state.annotation.polylines[0].points[0]
-    width, height = document.state.picture_size
+    point = services.state.annotation.polylines[0].points[0]
+    width, height = services.state.picture_size
     x, y = point.u * (width - 1), point.v * (height - 1)
     viewport, none = canvas.viewport(), Qt.KeyboardModifier.NoModifier
     begin = canvas.to_view(x, y).toPoint()
@@ -77,7 +77,7 @@ def test_what_gives_way_leaves_no_stain(audited, qtbot):
     QTest.mouseMove(viewport, begin + QPoint(30, -20))
     QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, none, begin + QPoint(30, -20))
     check()
-    document.editing.undo()
+    services.editing.undo()
     check()
     canvas.zoom_in()
     canvas.go_along(QPointF(60, 25))

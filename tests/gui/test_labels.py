@@ -71,8 +71,8 @@ def test_every_corner_of_a_picture_shows_its_texts(qapp):
 @pytest.fixture
 def judged(audited, qtbot) -> MainWindow:
     """A frame with a failing point at the right edge of its picture, which fills the view."""
-    document = audited.document
-    document.camera_sources.set_active_camera(1)
+    services = audited.services
+    services.camera_sources.set_active_camera(1)
     settle(audited, qtbot)
     audited.canvas.set_scale(1.0)
     return audited
@@ -130,7 +130,7 @@ def test_texts_at_the_edges_of_the_view_and_at_the_divider_are_whole(judged, mon
     whole = plates(judged, front, monkeypatch)
     assert any(plate.right() > width - 40 for plate in whole)
     assert all(plate.right() <= width for plate in whole)
-    judged.document.camera_sources.compare_with(judged.document.state.sources[0])
+    judged.services.camera_sources.compare_with(judged.services.state.sources[0])
     judged.actions_["split"].trigger()
     pan(judged, QPoint(-150, 0))  # the divider does not go to the very edge
     split = canvas.comparison.split
@@ -150,7 +150,7 @@ def test_panning_and_the_divider_leave_no_halves_behind(judged, qtbot):
         left_behind = on_screen(judged, qtbot)
         canvas.viewport().update()
         assert np.abs(on_screen(judged, qtbot) - left_behind).max() < 8  # smoothing
-    judged.document.camera_sources.compare_with(judged.document.state.sources[0])
+    judged.services.camera_sources.compare_with(judged.services.state.sources[0])
     judged.actions_["split"].trigger()
     for beside in (80.0, 3.0, -3.0, 60.0):
         canvas.comparison.split.move_to(failing(judged)[:, 0].max() + beside)

@@ -75,21 +75,21 @@ def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(seen, match, qtbo
     assert mark.position is not None
     assert np.abs(np.array(mark.position) - CLOCK).max() < 2
     assert (mark.surveyed, mark.frames) == (False, ("17_left", "17_right"))
-    element = seen.document.state.field.element("Clock")
+    element = seen.services.state.field.element("Clock")
     assert element.is_spot
-    assert seen.document.state.selected_class == "Clock"
+    assert seen.services.state.selected_class == "Clock"
     again = load_landmarks(match / "landmarks.json")
-    assert again == seen.document.landmarks.file
+    assert again == seen.services.landmarks.file
 
 
 def test_a_landmark_without_a_place_is_not_judged(seen, match):
-    assert seen.document.camera_sources.load_cameras(match / "cameras")
-    document = seen.document
-    before = document.judge.score.fn  # six classes that nobody knows
+    assert seen.services.camera_sources.load_cameras(match / "cameras")
+    services = seen.services
+    before = services.scorer.score.fn  # six classes that nobody knows
     name_landmark(seen, "Clock")
-    assert document.judge.score.fn == before - 1
-    assert "Clock" in document.state.annotation.annotated
-    assert "Clock" not in [element.name for element in document.judge.score.elements]
+    assert services.scorer.score.fn == before - 1
+    assert "Clock" in services.state.annotation.annotated
+    assert "Clock" not in [element.name for element in services.scorer.score.elements]
 
 
 def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(make_window, dataset, qtbot):
@@ -103,8 +103,8 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(make_window, data
     (dataset / "cameras").mkdir()
     (dataset / "cameras" / "camera_frame_0.json").write_text(json.dumps(camera_file(0.0)))
     window = make_window(dataset)
-    assert window.document.camera_sources.load_cameras(dataset / "cameras")
-    window.document.terms.set_protocol(protocol="procc")
+    assert window.services.camera_sources.load_cameras(dataset / "cameras")
+    window.services.evaluation.set_protocol(protocol="procc")
     window.panels.show("scores")
 
     def why() -> str:
@@ -117,30 +117,30 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(make_window, data
 
 def test_a_landmark_shows_its_uncertainty_in_the_other_views(seen, match, qtbot):
     triangulated(seen, qtbot, "Clock")
-    assert seen.document.camera_sources.load_cameras(match / "cameras")
+    assert seen.services.camera_sources.load_cameras(match / "cameras")
     for frame in (LEFT, CLOSE):
-        seen.document.walk.go_to(frame)
-        qtbot.waitUntil(lambda: len(seen.document.landmarks.ellipses) == 1)
-        (shown,) = seen.document.landmarks.ellipses
+        seen.services.navigator.go_to(frame)
+        qtbot.waitUntil(lambda: len(seen.services.landmarks.ellipses) == 1)
+        (shown,) = seen.services.landmarks.ellipses
         drawn = seen.canvas.overlay_item.overlay.strokes
         assert any(stroke.colour == shown.colour and stroke.dash for stroke in drawn)
     assert shown.ellipse.semi_axes_px[0] > 8  # the close-up shows a decimetre as many pixels
-    clicked = seen.document.state.annotation.get("Clock")
+    clicked = seen.services.state.annotation.get("Clock")
     click_px = np.array([clicked.points[0].u * 959, clicked.points[0].v * 539])
     assert np.hypot(*(shown.ellipse.centre_px - click_px)) < 20
-    seen.document.blind_lock.set_blind(True)
-    assert seen.document.landmarks.ellipses == ()
+    seen.services.blind_lock.set_blind(True)
+    assert seen.services.landmarks.ellipses == ()
 
 
 def test_the_other_views_are_a_click_away(seen, qtbot):
     panel = seen.landmarks
-    assert seen.document.state.frame_index == CLOSE
+    assert seen.services.state.frame_index == CLOSE
     texts = [panel.views.item(i).text() for i in range(panel.views.count())]
     assert texts == ["left  (17_left)", "right  (17_right)"]
     item = panel.views.item(1)
     place = panel.views.visualItemRect(item).center()
     QTest.mouseClick(panel.views.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert seen.document.state.frame_index == RIGHT
+    assert seen.services.state.frame_index == RIGHT
     qtbot.waitUntil(lambda: panel.views.item(0).text() == "close  (17_close)")
 
 
@@ -153,7 +153,7 @@ def test_a_surveyed_place_is_kept_and_used(seen, match, qtbot, monkeypatch):
         panel.place.selectAll()
         QTest.keyClicks(panel.place, text)
         press(panel.survey)
-        assert (seen.document.state.field.element("Mast") is not None) is placed
+        assert (seen.services.state.field.element("Mast") is not None) is placed
     assert "is no place" in seen.message_bar.label.text()
     (mark,) = load_landmarks(match / "landmarks.json").landmarks
     assert (mark.position, mark.surveyed) == ((14.5, -60.0, -11.0), True)
@@ -162,12 +162,12 @@ def test_a_surveyed_place_is_kept_and_used(seen, match, qtbot, monkeypatch):
     QTest.keyClicks(panel.title, "The mast")
     QTest.keyClick(panel.title, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: rows(seen)[0][:2] == ["The mast", "14.50, -60.00, -11.00"])
-    assert seen.document.state.field.title_of("Mast") == "The mast"
+    assert seen.services.state.field.title_of("Mast") == "The mast"
     monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", lambda *_: True)
     press(panel.remove)
-    assert seen.document.state.field.element("Mast") is None
+    assert seen.services.state.field.element("Mast") is None
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": []}
-    assert "Mast" in seen.document.state.annotation.annotated  # clicks are nobody's to throw away
+    assert "Mast" in seen.services.state.annotation.annotated  # clicks are nobody's to throw away
 
 
 def test_a_surveyed_place_is_not_triangulated(seen, match, qtbot):
@@ -175,12 +175,12 @@ def test_a_surveyed_place_is_not_triangulated(seen, match, qtbot):
     panel, path = seen.landmarks, match / "landmarks.json"
     qtbot.waitUntil(panel.triangulate.isEnabled)
     assert "Find its place" in panel.triangulate.toolTip()
-    assert seen.document.landmarks.survey("Clock", "14.5, -60, -11")
+    assert seen.services.landmarks.survey("Clock", "14.5, -60, -11")
     qtbot.waitUntil(lambda: not panel.triangulate.isEnabled())
     assert "was surveyed" in panel.triangulate.toolTip()
     written = path.read_bytes()
-    seen.document.landmarks.triangulation.start("Clock")
-    assert not seen.document.landmarks.triangulation.working
+    seen.services.landmarks.triangulation.start("Clock")
+    assert not seen.services.landmarks.triangulation.working
     assert "Clock was surveyed" in seen.message_bar.label.text()
     assert path.read_bytes() == written
 
@@ -189,11 +189,11 @@ def test_a_place_surveyed_while_it_is_triangulated_stays(seen, match, qtbot):
     name_landmark(seen, "Clock")
     qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
     press(seen.landmarks.triangulate)
-    assert seen.document.landmarks.triangulation.working == "Clock"
+    assert seen.services.landmarks.triangulation.working == "Clock"
     entry = {"name": "Clock", "position": [14.5, -60.0, -11.0]}
     # Whole at once, as programs save: the window may read it at any moment.
     write_atomic(match / "landmarks.json", json.dumps({"landmarks": [entry]}).encode())
-    qtbot.waitUntil(lambda: not seen.document.landmarks.triangulation.working, timeout=20_000)
+    qtbot.waitUntil(lambda: not seen.services.landmarks.triangulation.working, timeout=20_000)
     assert "Clock was surveyed" in seen.message_bar.label.text()
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
     qtbot.waitUntil(lambda: rows(seen)[0][1] == "14.50, -60.00, -11.00")
@@ -207,7 +207,7 @@ def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(seen, match, 
     path = match / "landmarks.json"
     if by_hand:
         press(seen.landmarks.remove)
-        assert not seen.document.landmarks.triangulation.working
+        assert not seen.services.landmarks.triangulation.working
     else:
         write_atomic(path, b'{"landmarks": []}')
     let_work_end(qtbot)
@@ -252,15 +252,15 @@ def test_rows_that_name_no_frame_are_told_once(make_window, match, qtbot):
 def test_landmarks_are_back_once_the_field_knows_no_class_of_their_name(make_window, match, qtbot):
     window = make_window(match)
     clash = next(e.name for e in load_field("tennis").elements)
-    window.document.field_choice.take(load_field("tennis"))
+    window.services.field_choice.take(load_field("tennis"))
     entry = {"name": clash, "position": [12, -52, -11]}
     (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
-    assert window.document.opening.open_path(match)
-    assert "are not used" in window.document.landmarks.problem
-    window.document.field_choice.take(load_field("soccer"))
-    qtbot.waitUntil(lambda: window.document.state.field.element(clash) is not None)
-    assert window.document.landmarks.problem == ""
-    assert [mark.name for mark in window.document.landmarks.entries] == [clash]
+    assert window.services.opening.open_path(match)
+    assert "are not used" in window.services.landmarks.problem
+    window.services.field_choice.take(load_field("soccer"))
+    qtbot.waitUntil(lambda: window.services.state.field.element(clash) is not None)
+    assert window.services.landmarks.problem == ""
+    assert [mark.name for mark in window.services.landmarks.entries] == [clash]
 
 
 def test_views_are_counted_while_hands_click(seen, qtbot):
@@ -268,7 +268,7 @@ def test_views_are_counted_while_hands_click(seen, qtbot):
     qtbot.waitUntil(lambda: rows(seen) == [["Lamp", "", "", "0"]])
     Hand(seen).draw("Lamp", (300, 200))
     qtbot.waitUntil(lambda: rows(seen)[0][3] == "1")
-    seen.document.editing.undo()
+    seen.services.editing.undo()
     qtbot.waitUntil(lambda: rows(seen)[0][3] == "0")
 
 
@@ -288,7 +288,7 @@ def test_what_another_program_writes_is_shown_at_once(seen, match, qtbot):
     (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
     qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Mast"])
     qtbot.waitUntil(lambda: [row[3] for row in rows(seen)] == ["3", "3"])
-    assert seen.document.state.field.element("Clock") is not None
+    assert seen.services.state.field.element("Clock") is not None
     assert seen.landmarks.views.count() == 2
     (match / "views.csv").unlink()
     qtbot.waitUntil(lambda: seen.landmarks.views.count() == 0)
@@ -312,18 +312,18 @@ def test_damage_by_another_program_is_told_and_the_last_good_stays(
     seen, match, qtbot, name, text, words
 ):
     name_landmark(seen, "Clock")
-    assert seen.document.landmarks.survey("Clock", "12, -52, -11")
+    assert seen.services.landmarks.survey("Clock", "12, -52, -11")
     good, path = (match / name).read_bytes(), match / name
     path.write_text(text)
     qtbot.waitUntil(lambda: words in seen.message_bar.label.text())
     qtbot.waitUntil(lambda: words in seen.landmarks.note.text())
-    assert seen.document.state.field.element("Clock") is not None
-    assert not seen.document.landmarks.remove("Clock")
+    assert seen.services.state.field.element("Clock") is not None
+    assert not seen.services.landmarks.remove("Clock")
     assert path.read_text() == text
     path.write_bytes(good)
     qtbot.waitUntil(seen.landmarks.note.isHidden)
     assert seen.message_bar.isHidden()
-    assert seen.document.landmarks.remove("Clock")
+    assert seen.services.landmarks.remove("Clock")
 
 
 def test_what_cannot_be_is_said(seen, match, qtbot):
@@ -339,14 +339,14 @@ def test_a_damaged_file_is_told_and_never_written_over(make_window, match, qtbot
     qtbot.waitUntil(lambda: "landmarks[0].name" in window.landmarks.note.text())
     assert "landmarks[0].name" in window.message_bar.label.text()
     assert not window.landmarks.add.isEnabled()
-    assert not window.document.landmarks.add("Clock")
+    assert not window.services.landmarks.add("Clock")
     assert (match / "landmarks.json").read_text() == '{"landmarks": [{"name": 3}]}'
 
 
 def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(seen, dataset, qtbot):
     triangulated(seen, qtbot, "Clock")
-    assert seen.document.opening.open_path(dataset)
-    assert not seen.document.state.field.knows("Clock")
+    assert seen.services.opening.open_path(dataset)
+    assert not seen.services.state.field.knows("Clock")
     qtbot.waitUntil(lambda: rows(seen) == [])
 
 
@@ -359,8 +359,8 @@ def test_a_place_is_not_deleted_unasked(seen, match, monkeypatch):
         return answers[len(asked) - 1]
 
     monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", answer)
-    seen.document.store.events.message.connect(lambda m: told.append(m.text))
-    assert seen.document.landmarks.survey("Clock", "1, 2, -3")
+    seen.services.store.events.message.connect(lambda m: told.append(m.text))
+    assert seen.services.landmarks.survey("Clock", "1, 2, -3")
     panel._refresh()
     panel.list.setCurrentItem(panel.list.topLevelItem(0))
     press(panel.remove)

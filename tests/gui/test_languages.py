@@ -157,25 +157,25 @@ def _opened(main: MainWindow) -> Iterator[QWidget]:
 
 def _draw_and_ask(window: MainWindow) -> None:
     """Hints and menus of all that can be under the hand."""
-    hand, document = Hand(window), window.document
+    hand, services = Hand(window), window.services
     hand.move(200, 200)
     window._show_menu(QPoint(0, 0))
-    document.selecting.select_class("Middle line")
+    services.selection.select_class("Middle line")
     hand.click(300, 100)
     window._show_menu(QPoint(0, 0))
     hand.click(310, 300)
     hand.key(Qt.Key.Key_Return)
-    document.selecting.set_mode("edit")
-    document.selecting.select_point("Middle line", 0)
+    services.selection.set_mode("edit")
+    services.selection.select_point("Middle line", 0)
     window._show_menu(QPoint(0, 0))
-    document.editing.undo()
-    document.selecting.set_mode("draw")
+    services.editing.undo()
+    services.selection.set_mode("draw")
 
 
 @pytest.mark.new_window
 def test_no_word_of_the_window_is_left_out(pseudo, audited, monkeypatch):
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
-    audited.document.store.events.message.connect(lambda m: found.append(("told", m.text)))
+    audited.services.store.events.message.connect(lambda m: found.append(("told", m.text)))
     audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     _draw_and_ask(audited)
     for desk in WORKSPACES:
@@ -201,23 +201,23 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
     pseudo, begun, monkeypatch, qtbot, tmp_path
 ):
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
-    document, workspace = begun.document, begun.document.state.workspace
-    document.store.events.message.connect(lambda m: found.append(("told", m.text)))
+    services, workspace = begun.services, begun.services.state.workspace
+    services.store.events.message.connect(lambda m: found.append(("told", m.text)))
     begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     second = shutil.copytree(workspace.root, tmp_path / "second")
-    qtbot.waitUntil(lambda: bool(document.ghosts.painted), timeout=20_000)
+    qtbot.waitUntil(lambda: bool(services.ghosts.painted), timeout=20_000)
     for action in ("next_ghost", "not_visible", "visible_again", "accept_ghost"):
         begun.actions_[action].trigger()
         begun._show_menu(QPoint(0, 0))
     all_done(qtbot)
-    swapped = editing.swap_classes(document.state.annotation, "Big rect. left main", "Circle left")
-    document.editing.commit_edit("swap", swapped)
+    swapped = editing.swap_classes(services.state.annotation, "Big rect. left main", "Circle left")
+    services.editing.commit_edit("swap", swapped)
     all_done(qtbot)
-    assert document.label_check.shown
+    assert services.label_check.shown
     for action in ("next_finding", "check_set"):
         begun.actions_[action].trigger()
         all_done(qtbot)
-    document.selecting.select_class("Circle left")
+    services.selection.select_class("Circle left")
     begun._show_menu(QPoint(0, 0))
     begun.agreement.open(second)
     all_done(qtbot)
@@ -280,7 +280,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(german, win
         assert shown == ["font_percent"]
     dialog.close()
 
-    keys = KeymapDialog(window.document.state.field, window.document.state.keymap, window)
+    keys = KeymapDialog(window.services.state.field, window.services.state.keymap, window)
     for words in ("blindmodus", "blind mode"):
         keys.search.setText(words)
         assert "Blindmodus" in keys.table.shown()[0].text

@@ -38,17 +38,17 @@ def fitted(make_window, annotated, qtbot) -> MainWindow:
     database_free = annotated / ".procc"
     assert not database_free.exists()
     window = make_window(annotated)
-    window.document.live_fit.set_model("P")  # the quickest
-    window.document.walk.go_to(1)
+    window.services.live_fit.set_model("P")  # the quickest
+    window.services.navigator.go_to(1)
     arrive(window, qtbot)
     return window
 
 
 def arrive(window: MainWindow, qtbot: QtBot) -> FrameAnalysis:
     """Wait for the fit of what is on screen."""
-    live = window.document.live_fit
+    live = window.services.live_fit
     qtbot.waitUntil(lambda: live.insight is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: not window.document.auditing.waiting)
+    qtbot.waitUntil(lambda: not window.services.scoring.waiting)
     assert live.insight is not None
     return live.insight
 
@@ -87,27 +87,27 @@ def slow_fits(monkeypatch) -> Callable[[], threading.Event]:
 
 class TestFit:
     def test_it_is_the_camera_of_the_clicks(self, fitted, annotated):
-        document = fitted.document
-        fit = document.live_fit.result
+        services = fitted.services
+        fit = services.live_fit.result
         true = read_camera((annotated / "cameras" / "true" / "camera_00002.json").read_bytes(),
                            path="")  # fmt: skip
-        assert fit.size == document.state.picture_size
+        assert fit.size == services.state.picture_size
         assert np.hypot(*np.subtract(fit.camera.position_world, true.camera.position_world)[:2]) < 8
 
     def test_of_a_burst_of_edits_only_the_last_one_is_shown(self, fitted, qtbot, slow_fits):
-        document, start = fitted.document, fitted.document.state.annotation
+        services, start = fitted.services, fitted.services.state.annotation
         go, shown = slow_fits(), []
-        document.live_fit.changed.connect(lambda: shown.append(document.live_fit.insight))
+        services.live_fit.changed.connect(lambda: shown.append(services.live_fit.insight))
         for step in range(1, 6):
-            assert document.editing.commit_edit("nudge", nudged(start, 0.002 * step))
-            assert document.live_fit.insight is None
-            assert document.live_fit.working
+            assert services.editing.commit_edit("nudge", nudged(start, 0.002 * step))
+            assert services.live_fit.insight is None
+            assert services.live_fit.working
         go.set()
         insight = arrive(fitted, qtbot)
-        assert insight.annotation is document.state.annotation
+        assert insight.annotation is services.state.annotation
         assert {id(i) for i in shown if i is not None} == {id(insight)}
         let_work_end(qtbot)
-        assert document.live_fit.insight is insight
+        assert services.live_fit.insight is insight
 
     def test_bursts_do_not_queue(self, fitted, qtbot, monkeypatch):
         begun: list[FrameAnnotation] = []
@@ -119,11 +119,11 @@ class TestFit:
             return real(annotation, *more, **terms)
 
         monkeypatch.setattr(live_fit, "analyse_frame", wait)
-        document, start = fitted.document, fitted.document.state.annotation
-        document.editing.commit_edit("nudge", nudged(start, 0.001))
+        services, start = fitted.services, fitted.services.state.annotation
+        services.editing.commit_edit("nudge", nudged(start, 0.001))
         qtbot.waitUntil(lambda: len(begun) == 1)
         for step in range(2, 12):
-            document.editing.commit_edit("nudge", nudged(start, 0.001 * step))
+            services.editing.commit_edit("nudge", nudged(start, 0.001 * step))
         go.set()
         arrive(fitted, qtbot)
         assert len(begun) == 2  # the one under way, and the newest
@@ -136,60 +136,60 @@ class TestFit:
             return analyse_frame(annotation, *more, **terms)
 
         monkeypatch.setattr(live_fit, "analyse_frame", note)
-        document = fitted.document
+        services = fitted.services
         for _ in range(4):
-            document.walk.next_frame()
-            assert document.live_fit.working
+            services.navigator.next_frame()
+            assert services.live_fit.working
         arrive(fitted, qtbot)
-        assert [id(annotation) for annotation in begun] == [id(document.state.annotation)]
+        assert [id(annotation) for annotation in begun] == [id(services.state.annotation)]
 
     def test_a_closed_window_works_for_nobody(self, fitted, qtbot, slow_fits):
-        document, go = fitted.document, slow_fits()
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+        services, go = fitted.services, slow_fits()
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         fitted.close()
         go.set()
-        document.live_fit.look()
-        assert not document.live_fit.working
+        services.live_fit.look()
+        assert not services.live_fit.working
         let_work_end(qtbot)
-        assert document.live_fit.insight is None
+        assert services.live_fit.insight is None
 
     def test_what_was_fitted_before_is_there_at_once(self, fitted, qtbot, slow_fits):
-        document = fitted.document
-        second = document.live_fit.insight
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+        services = fitted.services
+        second = services.live_fit.insight
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         arrive(fitted, qtbot)
-        document.walk.go_to(2)
+        services.navigator.go_to(2)
         third = arrive(fitted, qtbot)
         assert third is not second
         go = slow_fits()
-        document.walk.go_to(1)
-        assert document.live_fit.insight is not None
-        document.editing.undo()
-        assert document.live_fit.insight is second
-        document.walk.go_to(2)
-        assert document.live_fit.insight is third
+        services.navigator.go_to(1)
+        assert services.live_fit.insight is not None
+        services.editing.undo()
+        assert services.live_fit.insight is second
+        services.navigator.go_to(2)
+        assert services.live_fit.insight is third
         go.set()
 
     def test_a_frame_that_was_left_is_never_shown_on_another(self, fitted, qtbot, slow_fits):
-        document = fitted.document
-        document.camera_sources.set_active_camera(0)
-        assert document.judge.score is not None
+        services = fitted.services
+        services.camera_sources.set_active_camera(0)
+        assert services.scorer.score is not None
         go = slow_fits()
-        document.walk.go_to(4)  # nothing is annotated
-        assert document.live_fit.insight is None
-        assert document.judge.score is None
-        assert document.fit_source.cameras.camera("00005", (960, 540)) is None
+        services.navigator.go_to(4)  # nothing is annotated
+        assert services.live_fit.insight is None
+        assert services.scorer.score is None
+        assert services.fit_source.cameras.camera("00005", (960, 540)) is None
         go.set()
-        assert arrive(fitted, qtbot).annotation is document.state.annotation
-        assert document.live_fit.result.failure is not None
+        assert arrive(fitted, qtbot).annotation is services.state.annotation
+        assert services.live_fit.result.failure is not None
 
     def test_a_drag_is_fitted_once_it_ends(self, fitted, qtbot):
-        document, hand = fitted.document, Hand(fitted)
-        document.selecting.set_mode("edit")
-        before = document.live_fit.insight
+        services, hand = fitted.services, Hand(fitted)
+        services.selection.set_mode("edit")
+        before = services.live_fit.insight
         u, v = (
-            document.state.annotation.get(FAR).points[0].u,
-            document.state.annotation.get(FAR).points[0].v,
+            services.state.annotation.get(FAR).points[0].u,
+            services.state.annotation.get(FAR).points[0].v,
         )
         start = u * 1279, v * 719
         first, viewport = hand.at(*start), fitted.canvas.viewport()
@@ -199,27 +199,27 @@ class TestFit:
             hand._move(last, Qt.MouseButton.LeftButton)
             let_work_end(qtbot)
             assert (
-                document.state.shown_annotation is not document.state.annotation
+                services.state.shown_annotation is not services.state.annotation
             )  # the drag is under way
-            assert document.live_fit.insight is before
+            assert services.live_fit.insight is before
         QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=last)
         insight = arrive(fitted, qtbot)
         assert insight is not before
-        assert insight.annotation is document.state.annotation
+        assert insight.annotation is services.state.annotation
 
     def test_switched_off_and_on_and_remembered(self, fitted, make_window, annotated, qtbot):
         fitted.actions_["live_fit"].trigger()
-        document = fitted.document
-        assert document.live_fit.insight is None
-        assert document.state.sources == ()
+        services = fitted.services
+        assert services.live_fit.insight is None
+        assert services.state.sources == ()
         fitted.close()
         again = make_window(annotated)
         assert not again.actions_["live_fit"].isChecked()
-        assert not again.document.live_fit.wanted
-        assert again.document.live_fit.model == "P"
+        assert not again.services.live_fit.wanted
+        assert again.services.live_fit.model == "P"
         again.actions_["live_fit"].trigger()
         arrive(again, qtbot)
-        qtbot.waitUntil(lambda: [s.name for s in again.document.state.sources] == ["fit"])
+        qtbot.waitUntil(lambda: [s.name for s in again.services.state.sources] == ["fit"])
 
 
 @pytest.fixture
@@ -237,22 +237,22 @@ class TestBugs:
         def fail(*_: Any, **__: Any) -> FrameAnalysis:
             raise ZeroDivisionError("in a fit")
 
-        document, told = fitted.document, []
-        document.store.events.message.connect(lambda m: told.append((m.text, m.level)))
+        services, told = fitted.services, []
+        services.store.events.message.connect(lambda m: told.append((m.text, m.level)))
         with monkeypatch.context() as broken:
             broken.setattr(live_fit, "analyse_frame", fail)
-            document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+            services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
             qtbot.waitUntil(lambda: bool(told))
         (text, level), (bug,) = told[0], bugs
         assert level == "warning"
         assert "the fit failed: unexpected error (ZeroDivisionError: in a fit)" in text
         assert isinstance(bug, ZeroDivisionError)
-        assert not document.live_fit.working
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+        assert not services.live_fit.working
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         arrive(fitted, qtbot)
 
     def test_clicks_made_while_a_fit_failed_are_fitted(self, fitted, qtbot, monkeypatch, bugs):
-        document, go = fitted.document, threading.Event()
+        services, go = fitted.services, threading.Event()
         begun: list[FrameAnnotation] = []
 
         def fail_first(annotation: FrameAnnotation, *more: Any, **terms: Any) -> FrameAnalysis:
@@ -263,51 +263,51 @@ class TestBugs:
             return analyse_frame(annotation, *more, **terms)
 
         monkeypatch.setattr(live_fit, "analyse_frame", fail_first)
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         qtbot.waitUntil(lambda: len(begun) == 1)
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         go.set()
-        assert arrive(fitted, qtbot).annotation is document.state.annotation
+        assert arrive(fitted, qtbot).annotation is services.state.annotation
         assert len(bugs) == 1
 
 
 class TestSource:
     def test_it_is_listed_but_judged_only_on_request(self, fitted, qtbot):
-        document = fitted.document
-        assert [s.name for s in document.state.sources] == ["fit"]
-        assert document.state.active is None
-        assert document.judge.score is None
+        services = fitted.services
+        assert [s.name for s in services.state.sources] == ["fit"]
+        assert services.state.active is None
+        assert services.scorer.score is None
         fitted.panels.show("cameras")
         qtbot.waitUntil(lambda: fitted.findChild(QLabel, "cameras_matched_0") is not None)
         qtbot.waitUntil(
             lambda: fitted.findChild(QLabel, "cameras_matched_0").text() == "1 frame fitted"
         )
-        document.camera_sources.set_active_camera(0)
-        assert document.judge.score.jac > 0.9
+        services.camera_sources.set_active_camera(0)
+        assert services.scorer.score.jac > 0.9
         assert fitted.top_bar.camera_bar.jac.text().endswith("of the fit")
 
     def test_it_says_that_it_is_of_these_clicks(self, fitted, annotated, qtbot):
-        document = fitted.document
+        services = fitted.services
         folder = annotated / "cameras" / "kept"
-        name = document.state.frame.name
-        fit = document.live_fit.insight.fit
-        save_fit(folder, name, document.state.annotation, fit, field=document.state.field.name)
-        document.camera_sources.load_cameras(folder)
+        name = services.state.frame.name
+        fit = services.live_fit.insight.fit
+        save_fit(folder, name, services.state.annotation, fit, field=services.state.field.name)
+        services.camera_sources.load_cameras(folder)
         fitted.panels.show("cameras")
         settle(fitted, qtbot)
         mark = "fitted on these clicks"
-        marks = {s.name: s.fitted.mark for s in document.state.sources}
+        marks = {s.name: s.fitted.mark for s in services.state.sources}
         assert marks == {"kept": mark, "fit": mark}
         for row in (0, 1):
             label = fitted.findChild(QLabel, f"cameras_model_{row}")
             qtbot.waitUntil(lambda label=label: mark in label.toolTip())
-        request, _ = PlotSources(document).request("set", None)
+        request, _ = PlotSources(services).request("set", None)
         assert all(source.fitted for source in request.sources)
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.05))
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
         other = "fitted to another version of these annotations"
-        assert {s.name: s.fitted.mark for s in document.state.sources} == {
+        assert {s.name: s.fitted.mark for s in services.state.sources} == {
             "kept": other,
             "fit": mark,
         }
@@ -315,92 +315,92 @@ class TestSource:
         qtbot.waitUntil(lambda: other in label.toolTip())
 
     def test_three_elements_show_the_field(self, fitted, qtbot):
-        document, whole = fitted.document, fitted.document.state.annotation
-        document.camera_sources.set_active_camera(0)
-        document.editing.commit_edit("fewer", without(whole, 2))
+        services, whole = fitted.services, fitted.services.state.annotation
+        services.camera_sources.set_active_camera(0)
+        services.editing.commit_edit("fewer", without(whole, 2))
         insight = arrive(fitted, qtbot)
         assert insight.fit.failure == "2 elements, 3 needed"
-        assert document.judge.score is None
-        assert "2 elements, 3 needed" in document.judge.shown.notice
-        document.editing.commit_edit("more", without(whole, 3))
+        assert services.scorer.score is None
+        assert "2 elements, 3 needed" in services.scorer.shown.notice
+        services.editing.commit_edit("more", without(whole, 3))
         arrive(fitted, qtbot)
-        assert document.judge.score is not None
-        assert len(document.judge.measurement.projected.pieces) > 3
+        assert services.scorer.score is not None
+        assert len(services.scorer.measurement.projected.pieces) > 3
 
     def test_its_score_follows_the_clicks(self, fitted, qtbot):
-        document = fitted.document
-        document.camera_sources.set_active_camera(0)
-        name = document.state.frame.name
-        assert document.auditing.active_audits[name].jac_at(5.0) == pytest.approx(
-            document.judge.score.jac
+        services = fitted.services
+        services.camera_sources.set_active_camera(0)
+        name = services.state.frame.name
+        assert services.scoring.active_audits[name].jac_at(5.0) == pytest.approx(
+            services.scorer.score.jac
         )
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.05))
         arrive(fitted, qtbot)
-        worst = max(e.max_distance or 0.0 for e in document.judge.score.elements)
+        worst = max(e.max_distance or 0.0 for e in services.scorer.score.elements)
         assert worst > 5.0
-        assert document.auditing.active_audits[name].jac_at(5.0) == pytest.approx(
-            document.judge.score.jac
+        assert services.scoring.active_audits[name].jac_at(5.0) == pytest.approx(
+            services.scorer.score.jac
         )
-        document.terms.set_protocol("procc")
+        services.evaluation.set_protocol("procc")
         settle(fitted, qtbot)
-        assert document.auditing.active_audits[name].jac_at(5.0) == pytest.approx(
-            document.judge.score.jac
+        assert services.scoring.active_audits[name].jac_at(5.0) == pytest.approx(
+            services.scorer.score.jac
         )
 
     def test_it_is_compared_with_a_method(self, fitted, annotated, qtbot):
-        document = fitted.document
-        document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+        services = fitted.services
+        services.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(fitted, qtbot)
-        assert [s.name for s in document.state.sources] == ["bad", "fit"]
-        assert document.state.compared.name == "fit"
-        measurement, score = document.judge.compared
+        assert [s.name for s in services.state.sources] == ["bad", "fit"]
+        assert services.state.compared.name == "fit"
+        measurement, score = services.scorer.compared
         assert measurement is not None
-        assert score.jac > document.judge.score.jac
-        document.disagreement.set_enabled(True)
-        qtbot.waitUntil(lambda: document.disagreement.value is not None, timeout=20_000)
-        before = document.disagreement.value
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))
+        assert score.jac > services.scorer.score.jac
+        services.disagreement.set_enabled(True)
+        qtbot.waitUntil(lambda: services.disagreement.value is not None, timeout=20_000)
+        before = services.disagreement.value
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.05))
         arrive(fitted, qtbot)
         qtbot.waitUntil(
             lambda: (
-                document.disagreement.value is not None
-                and document.disagreement.value is not before
+                services.disagreement.value is not None
+                and services.disagreement.value is not before
             ),
             timeout=20_000,
         )
-        assert document.disagreement.value.names == ("bad", "fit")
+        assert services.disagreement.value.names == ("bad", "fit")
 
     def test_a_fit_that_arrives_takes_no_score_from_others(self, fitted, annotated, qtbot):
         """While the set is audited, only the fit of a frame is known anew, nothing of a method."""
-        document = fitted.document
-        document.camera_sources.load_cameras(annotated / "cameras" / "true")
-        document.live_fit.set_model("R")
+        services = fitted.services
+        services.camera_sources.load_cameras(annotated / "cameras" / "true")
+        services.live_fit.set_model("R")
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
-        assert "00002" in document.auditing.active_audits
+        assert "00002" in services.scoring.active_audits
 
     def test_only_frames_looked_at_count(self, fitted, qtbot):
-        document = fitted.document
-        document.walk.go_to(2)
+        services = fitted.services
+        services.navigator.go_to(2)
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
-        assert set(document.fit_source.source.audits) == {"00002", "00003"}
-        assert set(document.fit_source.cameras.frames) == {"00002", "00003"}
+        assert set(services.fit_source.source.audits) == {"00002", "00003"}
+        assert set(services.fit_source.cameras.frames) == {"00002", "00003"}
 
     def test_it_enters_no_scores_no_verdicts_and_no_memory(
         self, fitted, annotated, tmp_path, qtbot
     ):
-        document = fitted.document
-        document.camera_sources.set_active_camera(0)
-        told = heard(document)
+        services = fitted.services
+        services.camera_sources.set_active_camera(0)
+        told = heard(services)
         out = tmp_path / "jac.csv"
         fitted.exporter.write_scores(out)
         assert not out.exists()
         assert "made from the clicks" in told[-1]
         fitted.triage.mark("fine")
         assert "follows the clicks" in told[-1]
-        assert document.review.all_verdicts() == {}
-        document.camera_sources.load_cameras(annotated / "cameras" / "true")
+        assert services.review.all_verdicts() == {}
+        services.camera_sources.load_cameras(annotated / "cameras" / "true")
         assert [e["name"] for e in Settings().entries(SOURCES, str(annotated.resolve()))] == [
             "true"
         ]
@@ -413,36 +413,36 @@ class TestSource:
         }
 
     def test_removing_it_switches_the_live_fit_off(self, fitted, annotated, qtbot):
-        document = fitted.document
-        document.camera_sources.load_cameras(annotated / "cameras" / "true")
-        document.camera_sources.set_active_camera(1)
+        services = fitted.services
+        services.camera_sources.load_cameras(annotated / "cameras" / "true")
+        services.camera_sources.set_active_camera(1)
         fitted.panels.show("cameras")
         qtbot.waitUntil(lambda: fitted.findChild(QToolButton, "cameras_remove_1") is not None)
         fitted.findChild(QToolButton, "cameras_remove_1").click()
         assert not fitted.actions_["live_fit"].isChecked()
-        assert [s.name for s in document.state.sources] == ["true"]
-        assert document.state.active.name == "true"
+        assert [s.name for s in services.state.sources] == ["true"]
+        assert services.state.active.name == "true"
 
     def test_a_folder_called_fit_gets_another_name(self, fitted, annotated):
         (annotated / "cameras" / "true").rename(annotated / "cameras" / "fit")
-        assert fitted.document.camera_sources.load_cameras(annotated / "cameras" / "fit")
-        assert [s.name for s in fitted.document.state.sources] == ["fit (2)", "fit"]
-        fitted.document.camera_sources.rename_source(fitted.document.state.sources[1], "method")
-        assert fitted.document.state.sources[1].name == "fit"
+        assert fitted.services.camera_sources.load_cameras(annotated / "cameras" / "fit")
+        assert [s.name for s in fitted.services.state.sources] == ["fit (2)", "fit"]
+        fitted.services.camera_sources.rename_source(fitted.services.state.sources[1], "method")
+        assert fitted.services.state.sources[1].name == "fit"
 
     def test_whoever_judges_it_finds_it_judged_the_next_time(
         self, fitted, make_window, annotated, qtbot
     ):
-        fitted.document.camera_sources.set_active_camera(0)
+        fitted.services.camera_sources.set_active_camera(0)
         fitted.close()
         again = make_window(annotated)
-        qtbot.waitUntil(lambda: again.document.state.active is not None, timeout=20_000)
-        assert again.document.state.active.name == "fit"
+        qtbot.waitUntil(lambda: again.services.state.active is not None, timeout=20_000)
+        assert again.services.state.active.name == "fit"
 
 
 class TestPanel:
     def test_it_says_model_figures_and_elements(self, fitted, qtbot):
-        panel, document = fitted.fit, fitted.document
+        panel, services = fitted.fit, fitted.services
         fitted.panels.show("fit")
         qtbot.waitUntil(lambda: bool(panel.rows.rows))
         assert panel.jac.text() == "1.000"
@@ -453,55 +453,55 @@ class TestPanel:
         largest = [float(row.largest) for row in panel.rows.rows]
         assert largest == sorted(largest, reverse=True)
         assert panel.pose[3][2].text().endswith("%)")
-        document.live_fit.set_model("auto")
+        services.live_fit.set_model("auto")
         arrive(fitted, qtbot)
         qtbot.waitUntil(lambda: "Chosen: " in panel.chosen.text())
 
     def test_an_element_left_out_says_so_and_a_click_goes_to_its_worst_point(self, fitted, qtbot):
-        panel, document = fitted.fit, fitted.document
+        panel, services = fitted.fit, fitted.services
         fitted.panels.show("fit")
-        document.editing.commit_edit("wrong", nudged(document.state.annotation, 0.2))
+        services.editing.commit_edit("wrong", nudged(services.state.annotation, 0.2))
         arrive(fitted, qtbot)
         qtbot.waitUntil(lambda: any(row.left_out for row in panel.rows.rows))
         row = panel.rows.rows[0]
         assert (row.class_name, row.words) == (FAR, "✕ left out: Far touchline")
         flown = []
-        document.store.events.flyTo.connect(lambda x, y: flown.append((x, y)))
+        services.store.events.flyTo.connect(lambda x, y: flown.append((x, y)))
         place = panel.table.visualRect(panel.rows.index(0, 0)).center()
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        assert document.state.selection.point == (FAR, 0)
-        point = document.state.annotation.get(FAR).points[0]
+        assert services.state.selection.point == (FAR, 0)
+        point = services.state.annotation.get(FAR).points[0]
         assert flown == [pytest.approx((point.u * 1279, point.v * 719))]
 
     def test_a_row_of_the_clicks_before_leads_to_an_element_that_has_got_shorter(
         self, fitted, qtbot, slow_fits
     ):
-        panel, document = fitted.fit, fitted.document
+        panel, services = fitted.fit, fitted.services
         fitted.panels.show("fit")
-        whole = document.state.annotation
+        whole = services.state.annotation
         last = len(whole.get(FAR).points) - 1
-        document.editing.commit_edit("wrong", nudged(whole, 0.2, last))
+        services.editing.commit_edit("wrong", nudged(whole, 0.2, last))
         arrive(fitted, qtbot)
         qtbot.waitUntil(
             lambda: [(row.class_name, row.point) for row in panel.rows.rows[:1]] == [(FAR, last)]
         )
         at = next(i for i, row in enumerate(panel.rows.rows) if row.class_name == FAR)
         go, flown = slow_fits(), []
-        document.store.events.flyTo.connect(lambda x, y: flown.append((x, y)))
-        document.editing.commit_edit("shorten", delete_point(document.state.annotation, FAR, last))
+        services.store.events.flyTo.connect(lambda x, y: flown.append((x, y)))
+        services.editing.commit_edit("shorten", delete_point(services.state.annotation, FAR, last))
         place = panel.table.visualRect(panel.rows.index(at, 0)).center()
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        assert document.state.selected_class == FAR
-        first = document.state.annotation.get(FAR).points[0]
+        assert services.state.selected_class == FAR
+        first = services.state.annotation.get(FAR).points[0]
         assert flown == [pytest.approx((first.u * 1279, first.v * 719))]
         go.set()
 
     def test_it_says_what_counts_against_it_though_nothing_annotated_is_off(self, fitted, qtbot):
-        panel, document = fitted.fit, fitted.document
+        panel, services = fitted.fit, fitted.services
         fitted.panels.show("fit")
         whole = "12 of 12 annotated elements within 5 px"
         qtbot.waitUntil(lambda: panel.counted.text() == whole)
-        document.editing.commit_edit("fewer", without(document.state.annotation, 5))
+        services.editing.commit_edit("fewer", without(services.state.annotation, 5))
         said = re.compile(
             r"5 of 5 annotated elements within 5 px; (\d+) in sight not annotated yet"
         )
@@ -510,22 +510,22 @@ class TestPanel:
         assert float(panel.jac.text()) == pytest.approx(5 / (5 + waiting), abs=1e-3)
 
     def test_it_says_why_there_is_no_camera(self, fitted, qtbot):
-        panel, document = fitted.fit, fitted.document
+        panel, services = fitted.fit, fitted.services
         fitted.panels.show("fit")
-        document.editing.commit_edit("fewer", without(document.state.annotation, 2))
+        services.editing.commit_edit("fewer", without(services.state.annotation, 2))
         qtbot.waitUntil(lambda: "2 elements, 3 needed" in panel.empty.text())
         assert panel.empty.isVisible()
         assert not panel.save.isEnabled()
-        document.blind_lock.set_blind(True)
+        services.blind_lock.set_blind(True)
         qtbot.waitUntil(lambda: panel.empty.text().startswith("Hidden"))
-        document.blind_lock.set_blind(False)
+        services.blind_lock.set_blind(False)
         panel.on.click()
         qtbot.waitUntil(lambda: panel.empty.text().startswith("The live fit is off"))
 
 
 class TestSaving:
     def save(self, window: MainWindow, qtbot: QtBot) -> str:
-        told = heard(window.document)
+        told = heard(window.services)
         window.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: any("sav" in text for text in told))
         return told[-1]
@@ -534,27 +534,27 @@ class TestSaving:
         path = annotated / "cameras" / "fitted" / "camera_00002.json"
         assert str(path) in self.save(fitted, qtbot)
         loaded = read_camera(path.read_bytes(), path="")
-        fit = fitted.document.live_fit.result
+        fit = fitted.services.live_fit.result
         assert loaded.camera.position_world == fit.camera.position_world
         assert loaded.camera.tilt_rad == pytest.approx(fit.camera.tilt_rad, rel=1e-14)
         assert loaded.size == (1280, 720)
         assert json.loads(path.read_text())["fit"]["model"] == "P"
 
     def test_each_fit_is_written_however_soon_the_next_is_asked_for(self, fitted, annotated, qtbot):
-        told = heard(fitted.document)
+        told = heard(fitted.services)
         for _ in range(2):
             fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: sum("is saved as" in text for text in told) == 2)
 
     def test_a_camera_that_is_hardly_determined_is_called_so(self, fitted, qtbot):
-        panel, document = fitted.fit, fitted.document
+        panel, services = fitted.fit, fitted.services
         fitted.panels.show("fit")
         qtbot.waitUntil(lambda: panel.chosen.text().startswith("P"))
         assert panel.weak.isHidden()
         assert "hardly determined" not in self.save(fitted, qtbot)
-        document.editing.commit_edit("fewer", without(document.state.annotation, 3))
+        services.editing.commit_edit("fewer", without(services.state.annotation, 3))
         qtbot.waitUntil(panel.weak.isVisible, timeout=20_000)
-        left_open = ill_conditioned_reason(document.live_fit.result)
+        left_open = ill_conditioned_reason(services.live_fit.result)
         assert panel.weak.text().endswith(f": {left_open}")
         assert self.save(fitted, qtbot).endswith(f"hardly determined: {left_open}")
         assert left_open in fitted.message_bar.label.text()
@@ -565,27 +565,27 @@ class TestSaving:
         path = annotated / "cameras" / "fitted" / "camera_00002.json"
         assert str(path) in self.save(window, qtbot)
         assert path.exists()
-        document = window.document
-        document.camera_sources.load_cameras(path.parent)
-        assert document.verdicts.place(document.state.sources[0]).endswith(":cameras/fitted")
+        services = window.services
+        services.camera_sources.load_cameras(path.parent)
+        assert services.verdicts.place(services.state.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(self, fitted, annotated, qtbot):
-        document = fitted.document
+        services = fitted.services
         self.save(fitted, qtbot)
-        document.camera_sources.load_cameras(annotated / "cameras" / "fitted")
+        services.camera_sources.load_cameras(annotated / "cameras" / "fitted")
         settle(fitted, qtbot)
-        assert document.state.active.name == "fitted"
-        before = document.judge.score
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.03))
+        assert services.state.active.name == "fitted"
+        before = services.scorer.score
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.03))
         arrive(fitted, qtbot)
-        source, fit = document.state.active, document.live_fit.result
+        source, fit = services.state.active, services.live_fit.result
         self.save(fitted, qtbot)
         qtbot.waitUntil(
-            lambda: len(document.state.sources) == 2 and document.judge.score is not before
+            lambda: len(services.state.sources) == 2 and services.scorer.score is not before
         )
         settle(fitted, qtbot)
-        assert document.state.active is source
-        shown = document.judge.camera.position_world
+        assert services.state.active is source
+        shown = services.scorer.camera.position_world
         assert shown == pytest.approx(fit.camera.position_world)
 
     def test_a_camera_of_somebody_else_stays(self, fitted, annotated, qtbot):
@@ -600,7 +600,7 @@ class TestSaving:
     def test_a_failing_save_is_told_once(self, fitted, annotated, qtbot):
         (annotated / "cameras" / "fitted").write_text("in the way")
         told: list[tuple[str, str]] = []
-        fitted.document.store.events.message.connect(lambda m: told.append((m.text, m.level)))
+        fitted.services.store.events.message.connect(lambda m: told.append((m.text, m.level)))
         fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: bool(told))
         let_work_end(qtbot)
@@ -610,84 +610,84 @@ class TestSaving:
 
 class TestBlind:
     def test_nothing_is_known_until_the_frame_is_committed(self, fitted, qtbot):
-        document = fitted.document
-        document.camera_sources.set_active_camera(0)
+        services = fitted.services
+        services.camera_sources.set_active_camera(0)
         for name in ("cameras", "fit", "scores"):
             fitted.panels.show(name)
-        document.blind_lock.set_blind(True)
-        assert document.live_fit.insight is None
-        assert document.judge.score is None
-        assert document.judge.camera is None
-        assert document.fit_source.source.audits == {}
-        assert not document.fit_source.cameras.fits
-        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
+        services.blind_lock.set_blind(True)
+        assert services.live_fit.insight is None
+        assert services.scorer.score is None
+        assert services.scorer.camera is None
+        assert services.fit_source.source.audits == {}
+        assert not services.fit_source.cameras.fits
+        services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         let_work_end(qtbot)
-        assert document.live_fit.insight is None
-        assert not document.fit_source.cameras.fits
-        assert not document.live_fit.working
-        document.editing.commit_frame()
+        assert services.live_fit.insight is None
+        assert not services.fit_source.cameras.fits
+        assert not services.live_fit.working
+        services.editing.commit_frame()
         arrive(fitted, qtbot)
-        assert document.judge.score is not None
+        assert services.scorer.score is not None
 
     def test_a_locked_dataset_is_blind_for_everybody(self, fitted, make_window, annotated, qtbot):
         fitted.actions_["lock_blind"].trigger()
-        document = fitted.document
-        assert document.state.blind
-        told = heard(document)
+        services = fitted.services
+        assert services.state.blind
+        told = heard(services)
         fitted.actions_["blind"].trigger()
-        assert document.state.blind
+        assert services.state.blind
         assert fitted.actions_["blind"].isChecked()
         assert "locked this dataset to blind mode" in told[-1]
         assert "locked this dataset" in fitted.actions_["blind"].toolTip()
         fitted.close()
         again = make_window(annotated)
-        assert again.document.state.blind
-        assert again.document.live_fit.insight is None
+        assert again.services.state.blind
+        assert again.services.live_fit.insight is None
         assert again.actions_["lock_blind"].isChecked()
 
     def test_in_a_locked_dataset_no_fit_ever_guides_the_clicks(self, fitted, annotated, qtbot):
-        document = fitted.document
+        services = fitted.services
         fitted.panels.show("fit")
-        document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+        services.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(fitted, qtbot)
         fitted.actions_["lock_blind"].trigger()
-        document.editing.commit_frame()
+        services.editing.commit_frame()
         settle(fitted, qtbot)
         assert (
-            document.judge.score is not None
+            services.scorer.score is not None
         )  # cameras from files are judged once it is committed
         all_done(qtbot)
-        assert document.live_fit.insight is None
-        assert not document.live_fit.working
-        assert not document.ghosts.painted
-        assert document.ghosts.suggestion is None
-        assert document.fit_source.source not in document.state.sources
-        before = document.state.annotation
-        told = heard(document)
+        assert services.live_fit.insight is None
+        assert not services.live_fit.working
+        assert not services.ghosts.painted
+        assert services.ghosts.suggestion is None
+        assert services.fit_source.source not in services.state.sources
+        before = services.state.annotation
+        told = heard(services)
         Hand(fitted).key(Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
         fitted.actions_["accept_ghosts"].trigger()
-        assert document.state.annotation is before
+        assert services.state.annotation is before
         fitted.actions_["live_fit"].trigger()
         assert not fitted.actions_["live_fit"].isChecked()
         assert "no live fit" in told[-1]
         fitted.actions_["save_fit"].trigger()
         assert "no live fit" in told[-1]
         qtbot.waitUntil(lambda: "no live fit" in fitted.fit.empty.text())
-        qtbot.waitUntil(lambda: document.label_check.checked is not None)
+        qtbot.waitUntil(lambda: services.label_check.checked is not None)
         fitted.actions_["uncertainty"].trigger()
-        assert "no live fit" in document.uncertainty.problem
-        document.blind_lock.set_locked(False)
+        assert "no live fit" in services.uncertainty.problem
+        services.blind_lock.set_locked(False)
         arrive(fitted, qtbot)
         assert fitted.actions_["live_fit"].isChecked()
 
     def test_the_choice_of_a_live_fit_outlives_a_locked_dataset(self, fitted, make_window, dataset):
         fitted.actions_["lock_blind"].trigger()
-        assert not fitted.document.live_fit.wanted
+        assert not fitted.services.live_fit.wanted
         fitted.close()
-        assert make_window(dataset).document.live_fit.wanted
+        assert make_window(dataset).services.live_fit.wanted
 
     def test_unlocking_asks_and_is_recorded(self, fitted, monkeypatch):
-        document = fitted.document
+        services = fitted.services
         fitted.actions_["lock_blind"].trigger()
         asked: list[str] = []
 
@@ -701,23 +701,23 @@ class TestBlind:
 
         press(QMessageBox.ButtonRole.RejectRole)
         fitted.actions_["lock_blind"].trigger()
-        assert document.state.blind
+        assert services.state.blind
         assert fitted.actions_["lock_blind"].isChecked()
         press(QMessageBox.ButtonRole.AcceptRole)
         fitted.actions_["lock_blind"].trigger()
-        assert not document.state.blind
+        assert not services.state.blind
         assert not fitted.actions_["lock_blind"].isChecked()
         assert "recorded" in asked[0]
-        events = json.loads(document.review.setting("blind lock"))
+        events = json.loads(services.review.setting("blind lock"))
         assert [(e["locked"], e["author"]) for e in events] == [
-            (True, document.state.author),
-            (False, document.state.author),
+            (True, services.state.author),
+            (False, services.state.author),
         ]
 
     def test_the_annotators_own_choice_comes_back_with_another_dataset(self, fitted, dataset):
         fitted.actions_["lock_blind"].trigger()
-        assert fitted.document.state.blind
-        assert fitted.document.opening.open_path(dataset)
-        assert not fitted.document.state.blind
+        assert fitted.services.state.blind
+        assert fitted.services.opening.open_path(dataset)
+        assert not fitted.services.state.blind
         QApplication.processEvents()
         assert not fitted.actions_["blind"].isChecked()

@@ -78,7 +78,7 @@ class TestActions:
             assert spec.text.lstrip("-") in text
             for keys in spec.keys:
                 assert QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText) in text
-        for element in window.document.state.field.elements:
+        for element in window.services.state.field.elements:
             assert element.title in text
 
     @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
@@ -106,19 +106,19 @@ class TestActions:
                 assert QKeySequence(keys).toString(), (spec.name, keys)
 
     def test_keys_of_the_field_choose_elements(self, window, qtbot):
-        for element in window.document.state.field.elements:
+        for element in window.services.state.field.elements:
             if element.shortcut:
                 combination = QKeySequence(element.shortcut)[0]
                 QTest.keyClick(window.canvas, combination.key(), combination.keyboardModifiers())
-                assert window.document.state.selected_class == element.name
+                assert window.services.state.selected_class == element.name
 
     def test_q_and_e_step_through_the_elements(self, window):
-        names = [e.name for e in window.document.state.field.elements]
+        names = [e.name for e in window.services.state.field.elements]
         QTest.keyClick(window.canvas, Qt.Key.Key_E)
-        assert window.document.state.selected_class == names[0]
+        assert window.services.state.selected_class == names[0]
         QTest.keyClick(window.canvas, Qt.Key.Key_E)
         QTest.keyClick(window.canvas, Qt.Key.Key_Q)
-        assert window.document.state.selected_class == names[0]
+        assert window.services.state.selected_class == names[0]
 
     def test_letters_typed_into_a_search_box_are_text(self, window):
         QTest.keyClick(window.canvas, Qt.Key.Key_Slash)
@@ -126,37 +126,37 @@ class TestActions:
         assert box.hasFocus()
         QTest.keyClicks(box, "bad")
         assert box.text() == "bad"
-        assert not window.document.state.blind
-        assert window.document.state.frame_index == 0
+        assert not window.services.state.blind
+        assert window.services.state.frame_index == 0
 
 
 class TestCameras:
     def test_tau_decides_live_whether_an_element_passes(self, window, hand, cameras):
-        window.document.selecting.set_option(
+        window.services.selection.set_option(
             "snapping", False
         )  # the digits on the pictures are white too
         hand.draw(MIDDLE, *middle_line_points(window, shift=4.0))
-        assert window.document.camera_sources.load_cameras(cameras)
-        score = window.document.judge.score
+        assert window.services.camera_sources.load_cameras(cameras)
+        score = window.services.scorer.score
         largest = next(e.max_distance for e in score.elements if e.name == MIDDLE)
         assert 2.5 < largest < 5.0
         assert score.tp == 1
         jac = window.top_bar.camera_bar.jac.text()
         for _ in range(6):
             QTest.keyClick(window.canvas, Qt.Key.Key_Minus)
-        assert window.document.state.tau == 2.0
+        assert window.services.state.tau == 2.0
         assert window.top_bar.camera_bar.tau.spin.value() == 2.0
         assert window.top_bar.camera_bar.tau.slider.value() == 20
-        assert window.document.judge.score.tp == 0
+        assert window.services.scorer.score.tp == 0
         assert window.top_bar.camera_bar.jac.text() != jac
         QTest.keyClick(window.canvas, Qt.Key.Key_Plus)
-        assert window.document.state.tau == 2.5
+        assert window.services.state.tau == 2.5
         window.top_bar.camera_bar.tau.slider.setValue(300)
-        assert window.document.state.tau == 30.0
-        assert window.document.judge.score.tp == 1
+        assert window.services.state.tau == 30.0
+        assert window.services.scorer.score.tp == 1
 
     def test_the_protocol_and_size_stand_beside_the_score(self, window, cameras, qtbot):
-        window.document.camera_sources.load_cameras(cameras)
+        window.services.camera_sources.load_cameras(cameras)
         terms = window.top_bar.camera_bar.terms
         qtbot.waitUntil(lambda: terms.text() == "soccernet, 960x540")
         window.actions_["protocol_procc"].trigger()
@@ -166,7 +166,7 @@ class TestCameras:
         x, y = middle_line_points(window)[1]
         hand.move(x, y)
         assert window.status.metres.text() == ""
-        window.document.camera_sources.load_cameras(cameras)
+        window.services.camera_sources.load_cameras(cameras)
         hand.move(x + 3, y)
         hand.move(x, y)
         metres = [float(v) for v in window.status.metres.text().split()[:2]]
@@ -174,34 +174,34 @@ class TestCameras:
 
     def test_every_frame_of_the_set_gets_its_jac(self, window, hand, cameras, qtbot):
         hand.draw(MIDDLE, *middle_line_points(window))
-        window.document.camera_sources.load_cameras(cameras)
-        qtbot.waitUntil(lambda: "frame_0" in window.document.auditing.frame_scores)
-        qtbot.waitUntil(lambda: not window.document.set_scores.running)
-        scores = window.document.auditing.frame_scores
-        assert scores["frame_0"] == pytest.approx(window.document.judge.score.jac, abs=1e-6)
+        window.services.camera_sources.load_cameras(cameras)
+        qtbot.waitUntil(lambda: "frame_0" in window.services.scoring.frame_scores)
+        qtbot.waitUntil(lambda: not window.services.dataset_scores.running)
+        scores = window.services.scoring.frame_scores
+        assert scores["frame_0"] == pytest.approx(window.services.scorer.score.jac, abs=1e-6)
         assert "frame_1" not in scores  # not annotated
-        window.document.walk.next_frame()
+        window.services.navigator.next_frame()
         hand.draw(MIDDLE, *middle_line_points(window))
-        qtbot.waitUntil(lambda: window.document.auditing.frame_scores.get("frame_1", 0) > 0)
+        qtbot.waitUntil(lambda: window.services.scoring.frame_scores.get("frame_1", 0) > 0)
 
     def test_a_frame_without_camera_says_so(self, window, cameras, qtbot):
-        window.document.camera_sources.load_cameras(cameras)
-        window.document.walk.go_to(2)
+        window.services.camera_sources.load_cameras(cameras)
+        window.services.navigator.go_to(2)
         qtbot.waitUntil(lambda: "no camera" in window.top_bar.camera_bar.jac.text())
-        assert window.document.judge.score is None
+        assert window.services.scorer.score is None
 
     def test_a_file_that_is_no_camera_is_told_in_a_bar(self, window, tmp_path):
         bad = tmp_path / "bad"
         bad.mkdir()
         (bad / "camera_frame_0.json").write_text('{"pan_degrees": NaN}')
-        window.document.camera_sources.load_cameras(bad)
-        assert window.document.judge.score is None
-        assert "camera_frame_0.json" in window.document.judge.shown.error
-        assert window.document.camera_sources.load_cameras(tmp_path / "missing") is False
+        window.services.camera_sources.load_cameras(bad)
+        assert window.services.scorer.score is None
+        assert "camera_frame_0.json" in window.services.scorer.shown.error
+        assert window.services.camera_sources.load_cameras(tmp_path / "missing") is False
         assert "missing" in window.message_bar.label.text()
 
     def test_flying_to_a_point_brings_it_to_the_middle(self, window):
-        window.document.store.events.flyTo.emit(500.0, 300.0)
+        window.services.store.events.flyTo.emit(500.0, 300.0)
         middle = QPointF(window.canvas.viewport().rect().center())
         assert window.canvas.to_picture(middle) == pytest.approx((500, 300), abs=1.0)
         assert window.canvas.view_scale >= 4.0
@@ -210,12 +210,12 @@ class TestCameras:
 class TestBlindMode:
     def test_committing_takes_a_draft_along(self, window, hand, cameras):
         hand.key(Qt.Key.Key_B)
-        window.document.camera_sources.load_cameras(cameras)
-        window.document.selecting.select_class(MIDDLE)
+        window.services.camera_sources.load_cameras(cameras)
+        window.services.selection.select_class(MIDDLE)
         for point in middle_line_points(window):
             hand.click(*point)
         hand.key(Qt.Key.Key_Return, CTRL)
-        assert window.document.judge.score.tp == 1
+        assert window.services.scorer.score.tp == 1
 
 
 class TestWindow:
@@ -226,7 +226,7 @@ class TestWindow:
         assert window.top_bar.saved.text() == ""
 
     def test_bars_follow_a_change_of_theme(self, window, qapp, qtbot):
-        window.document.say("a warning", "warning")
+        window.services.say("a warning", "warning")
         before = qapp.palette()
         try:
             qapp.setPalette(palette(dark=True))
@@ -242,29 +242,29 @@ class TestWindow:
         for name in ("00002.jpg", "00002.json"):
             shutil.copy(sample_data / name, tmp_path)
         window = make_window(tmp_path)
-        document = window.document
-        document.camera_sources.load_cameras(sample_data / "cameras" / "true")
-        qtbot.waitUntil(lambda: document.auditing.frame_scores.get("00002", 0) > 0.5)
+        services = window.services
+        services.camera_sources.load_cameras(sample_data / "cameras" / "true")
+        qtbot.waitUntil(lambda: services.scoring.frame_scores.get("00002", 0) > 0.5)
         (tmp_path / "00002.json").unlink()
-        assert document.editing.begin_edit()  # looks at the file first
-        assert document.state.annotation.annotated == ()
-        qtbot.waitUntil(lambda: not document.auditing.frame_scores.get("00002"))
+        assert services.editing.begin_edit()  # looks at the file first
+        assert services.state.annotation.annotated == ()
+        qtbot.waitUntil(lambda: not services.scoring.frame_scores.get("00002"))
 
     def test_a_folder_of_folders_of_cameras_says_which_to_load(self, window, sample_data):
-        assert not window.document.camera_sources.load_cameras(sample_data / "cameras")
+        assert not window.services.camera_sources.load_cameras(sample_data / "cameras")
         assert "bad, homography" in window.message_bar.label.text()
-        assert [look.cameras for look in window.document.state.looks] == []
+        assert [look.cameras for look in window.services.state.looks] == []
 
     def test_what_was_open_last_is_offered_to_go_on_with(self, make_window, dataset):
         first = make_window()
         first.opening.open_path(dataset)
-        first.document.walk.go_to(1)
+        first.services.navigator.go_to(1)
         first.close()
         second = make_window()
         (button,) = second.welcome.findChildren(QPushButton, "welcomeRecent")
         assert button.text().startswith("dataset")
         button.click()
-        assert second.document.state.frame_index == 1
+        assert second.services.state.frame_index == 1
         menu = second.findChild(RecentMenu)
         menu.fill()
         assert [action.toolTip() for action in menu.actions()] == [str(dataset)]
@@ -288,8 +288,8 @@ class TestWindow:
             )
             window.dropEvent(event)
         assert window.canvas.isVisible()
-        assert len(window.document.state.workspace.frames) == 3
-        assert window.document.state.active_cameras.name == "cameras"
+        assert len(window.services.state.workspace.frames) == 3
+        assert window.services.state.active_cameras.name == "cameras"
         assert window.top_bar.camera_bar.cameras.currentText() == "cameras"
 
     def test_one_key_hides_all_panels_and_brings_them_back(self, window):
@@ -302,14 +302,14 @@ class TestWindow:
 
     def test_layout_and_settings_come_back(self, make_window, dataset):
         first = make_window(dataset)
-        first.document.terms.set_tau(7.5)
+        first.services.evaluation.set_tau(7.5)
         first.actions_["protocol_procc"].trigger()
         first.actions_["keep_zoom"].trigger()
         first.docks["frames"].close()
         first.close()
         second = make_window(dataset)
-        assert second.document.state.tau == 7.5
-        assert second.document.state.setup.protocol == "procc"
+        assert second.services.state.tau == 7.5
+        assert second.services.state.setup.protocol == "procc"
         assert second.actions_["protocol_procc"].isChecked()
         assert second.canvas.keep_zoom
         assert second.actions_["keep_zoom"].isChecked()
@@ -319,7 +319,7 @@ class TestWindow:
         (dataset / "frame_0.png").write_bytes(b"not a picture")
         window = make_window(dataset)
         assert "frame_0.png" in window.frame_bar.label.text()
-        window.document.walk.next_frame()
+        window.services.navigator.next_frame()
         assert not window.frame_bar.isVisible()
 
     @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
@@ -341,18 +341,18 @@ class TestWindow:
 class TestExport:
     def test_annotations_and_scores_of_the_set(self, window, hand, cameras, tmp_path, qtbot):
         hand.draw(MIDDLE, *middle_line_points(window))
-        window.document.camera_sources.load_cameras(cameras)
+        window.services.camera_sources.load_cameras(cameras)
         out, scores = tmp_path / "out", tmp_path / "jac.json"
         window.exporter.write_annotations(out)
         window.exporter.write_scores(scores)
         qtbot.waitUntil(lambda: (out / "frame_0.json").exists() and scores.exists())
-        dataset_file = window.document.state.frame.annotation_path
+        dataset_file = window.services.state.frame.annotation_path
         assert json.loads((out / "frame_0.json").read_text()) == json.loads(
             dataset_file.read_text()
         )
         written = json.loads(scores.read_text())
         image = next(i for i in written["images"] if i["name"] == "frame_0")
-        assert image["results"]["5"]["jac"] == window.document.judge.score.jac
+        assert image["results"]["5"]["jac"] == window.services.scorer.score.jac
         assert written["protocol"] == "soccernet"
 
 
@@ -364,13 +364,13 @@ class TestNotices:
 
     def test_a_choice_between_two_cameras_of_a_frame_is_said(self, window, cameras):
         np.save(cameras / "frame_0.npy", np.eye(3))
-        window.document.camera_sources.load_cameras(cameras)
+        window.services.camera_sources.load_cameras(cameras)
         assert "has a JSON camera and a homography" in window.message_bar.label.text()
 
     def test_opening_another_dataset_keeps_the_polyline_under_way(
         self, window, hand, dataset, saved
     ):
-        window.document.selecting.select_class("Middle line")
+        window.services.selection.select_class("Middle line")
         clicked = [hand.click(100, 50), hand.click(120, 200)]
         window.opening.open_path(dataset)
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
@@ -391,9 +391,9 @@ def test_panels_start_wide_enough_to_be_read(make_window, dataset, qtbot, with_d
 
 def test_the_field_map_keeps_its_room_whatever_panel_is_opened(make_window, annotated, qtbot):
     window = make_window(annotated, size=(1280, 720))
-    window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
-    window.document.walk.go_to(1)
-    qtbot.waitUntil(lambda: window.document.live_fit.result is not None, timeout=20_000)
+    window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
+    window.services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: window.services.live_fit.result is not None, timeout=20_000)
     height = window.field_map.height()
     assert height >= 220
     for name in set(window.docks) - {"frames", "field_map"}:
@@ -420,26 +420,26 @@ def test_keys_draw_again_after_a_click_in_the_list_of_frames(window, hand):
     frames = window.frames.list
     place = frames.visualRect(window.frames.model.index(2, 0)).center()
     QTest.mouseClick(frames.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert window.document.state.frame_index == 2
+    assert window.services.state.frame_index == 2
     assert window.canvas.hasFocus()
     frames.setFocus()
     QTest.keyClick(frames, Qt.Key.Key_Up)  # arrows walk the list on
-    assert window.document.state.frame_index == 1
+    assert window.services.state.frame_index == 1
     assert frames.hasFocus()
     QTest.keyClick(frames, Qt.Key.Key_Return)
     assert window.canvas.hasFocus()
 
 
 def test_long_titles_of_elements_are_cut_in_their_middle(window):
-    status, document = window.status, window.document
+    status, services = window.status, window.services
     title = (
         "Far touchline of the pitch that was repainted beside the old athletics track, number 20"
     )
-    field = document.state.field
+    field = services.state.field
     far = replace(field.elements[field.index["Side line top"]], title=title)
     others = [e for e in field.elements if e.name != far.name]
-    document.terms.set_field(replace(field, elements=(*others, far)))
-    document.selecting.select_class(far.name)
+    services.evaluation.set_field(replace(field, elements=(*others, far)))
+    services.selection.select_class(far.name)
     figures = [status.pixels.geometry(), status.metres.geometry()]
     for name in (title, "Near touchline"):
         status.tell(f"removed point 2 of {name}, 3 are left")
@@ -473,7 +473,7 @@ def test_a_panel_behind_another_tab_waits_until_it_is_looked_at(window, qtbot):
     window.panels.show("cameras")
     qtbot.waitUntil(lambda: protocol.currentData() == "soccernet")
     window.panels.show("elements")
-    window.document.terms.set_protocol("procc")
+    window.services.evaluation.set_protocol("procc")
     qtbot.waitUntil(lambda: "procc" in window.top_bar.camera_bar.terms.text())
     QApplication.processEvents()
     assert protocol.currentData() == "soccernet"  # nobody sees it

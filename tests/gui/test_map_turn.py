@@ -13,7 +13,7 @@ from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.maps import MapSight
+from procc_annotator.gui.state.maps import VisibleFieldRegion
 from procc_annotator.interaction.camera_view import visible_field
 
 SIZE = (960, 540)
@@ -49,13 +49,13 @@ def cameras(tmp_path) -> Path:
 @pytest.fixture
 def judged(make_window, dataset, cameras, qtbot) -> MainWindow:
     window = make_window(dataset)
-    assert window.document.camera_sources.load_cameras(cameras)
+    assert window.services.camera_sources.load_cameras(cameras)
     see(window, qtbot)
     return window
 
 
-def see(window: MainWindow, qtbot: QtBot) -> MapSight:
-    sight = window.document.map_sight
+def see(window: MainWindow, qtbot: QtBot) -> VisibleFieldRegion:
+    sight = window.services.visible_region
     qtbot.waitUntil(lambda: sight.shown is not None)
     return sight
 
@@ -88,15 +88,15 @@ def test_a_camera_over_the_field_turns_it_by_what_is_right():
 
 
 def test_left_on_the_map_is_left_in_the_picture(judged, qtbot):
-    window, document = judged, judged.document
+    window, services = judged, judged.services
     field_map = window.field_map
-    assert document.map_sight.turns == 0
+    assert services.visible_region.turns == 0
     far, left = (field_map.to_widget(*at) for at in ((0, -30), (-30, 0)))
     middle = field_map.to_widget(0, 0)
     assert far.y() < middle.y()
     assert left.x() < middle.x()
-    document.walk.go_to(1)
-    qtbot.waitUntil(lambda: document.map_sight.turns == 1)
+    services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: services.visible_region.turns == 1)
     # From behind the right goal its far side is the left one, and its own goal lies near.
     px, _ = SIDES[1].project(np.array([(40, 20, 0), (40, -20, 0), (48, 0, 0), (30, 0, 0.0)]))
     on_map = [field_map.to_widget(*at) for at in ((40, 20), (40, -20), (48, 0), (30, 0))]
@@ -105,12 +105,12 @@ def test_left_on_the_map_is_left_in_the_picture(judged, qtbot):
     # Clicks mean what they hit.
     at = field_map.position_of("Goal right crossbar")
     qtbot.mouseClick(field_map, Qt.MouseButton.LeftButton, pos=at.toPoint())
-    assert document.state.selected_class == "Goal right crossbar"
-    document.walk.go_to(2)  # without a camera: it stays turned, and nothing is out of sight
-    qtbot.waitUntil(lambda: document.map_sight.shown is None)
-    assert document.map_sight.turns == 1
+    assert services.state.selected_class == "Goal right crossbar"
+    services.navigator.go_to(2)  # without a camera: it stays turned, and nothing is out of sight
+    qtbot.waitUntil(lambda: services.visible_region.shown is None)
+    assert services.visible_region.turns == 1
     window.actions_["turn_map"].trigger()
-    assert document.map_sight.turns == 0
+    assert services.visible_region.turns == 0
 
 
 def test_what_is_out_of_sight_is_faint(judged, qtbot):
@@ -125,24 +125,24 @@ def test_what_is_out_of_sight_is_faint(judged, qtbot):
         return max(abs(image.pixelColor(p).lightnessF() - ground) for p in around)
 
     assert contrast("Middle line") > 2 * contrast("Big rect. left main")
-    judged.document.selecting.select_class("Big rect. left main")
+    judged.services.selection.select_class("Big rect. left main")
     assert contrast("Big rect. left main") > 0.2  # who asks for it sees it
 
 
 def test_the_half_in_sight_takes_the_room(judged, qtbot):
-    document, field_map = judged.document, judged.field_map
-    document.walk.go_to(1)
-    qtbot.waitUntil(lambda: document.map_sight.half == 1)
+    services, field_map = judged.services, judged.field_map
+    services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: services.visible_region.half == 1)
 
     def metre() -> float:
         apart = field_map.to_widget(30, 0) - field_map.to_widget(31, 0)
         return abs(apart.x()) + abs(apart.y())
 
     large = metre()
-    document.selecting.select_class("Goal left crossbar")  # out of sight, but asked for
+    services.selection.select_class("Goal left crossbar")  # out of sight, but asked for
     whole = metre()
     assert large > 1.2 * whole
-    document.selecting.select_class(None)
+    services.selection.select_class(None)
     judged.actions_["turn_map"].trigger()
     assert metre() != large
-    assert document.map_sight.shown is None
+    assert services.visible_region.shown is None

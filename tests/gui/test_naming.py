@@ -16,7 +16,7 @@ UNKNOWN = "Line unknown"
 
 def drawn(window: MainWindow, hand: Hand, qtbot: QtBot, *points: tuple[float, float]) -> QMenu:
     """Draw a line with no class chosen; the menu that asks its name."""
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     window.naming.menu = None
     for point in points:
         hand.click(*point)
@@ -33,7 +33,7 @@ def offered(menu: QMenu) -> list[str]:
 
 def middle_of(window: MainWindow, name: str) -> list[tuple[float, float]]:
     """Two places on a ghost, some px beside it."""
-    ghost = next(g for g in window.document.ghosts.known if g.name == name)
+    ghost = next(g for g in window.services.ghosts.known if g.name == name)
     px = ghost.pieces[0].points_px
     chosen = px[[len(px) // 4, 3 * len(px) // 4]]
     return [(float(x) + 2.0, float(y) + 2.0) for x, y in chosen]
@@ -48,13 +48,13 @@ def test_a_line_without_a_class_is_kept_and_named(window, hand, qtbot, saved):
     assert not menu.isVisible()
     assert len(saved(name)) == 3
     assert len(saved(UNKNOWN)) == 0
-    assert window.document.state.selected_class is None  # the next line is drawn first, too
+    assert window.services.state.selected_class is None  # the next line is drawn first, too
 
 
 def test_two_points_are_no_curve_without_a_word(window, hand, qtbot, saved):
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
     assert not window.canvas.editor.curved & set(offered(menu))
-    circle = window.document.state.field.element("Circle central")
+    circle = window.services.state.field.element("Circle central")
     QTest.keySequence(menu, circle.shortcut)
     assert len(saved("Circle central")) == 2
     assert "Centre circle is a curve" in window.message_bar.label.text()
@@ -80,7 +80,7 @@ def test_escape_leaves_it_as_it_is(window, hand, qtbot, saved):
 
 
 def test_an_elements_key_names_the_line_under_way(window, hand, saved):
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     hand.click(100, 100)
     hand.click(300, 120)
     assert "an element's key names it" in window.canvas.hint
@@ -92,11 +92,11 @@ def test_an_elements_key_names_the_line_under_way(window, hand, saved):
 
 
 def test_a_frame_that_is_left_keeps_its_line(window, hand, saved):
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     hand.click(100, 100)
     hand.click(300, 120)
     hand.key(Qt.Key.Key_D)
-    assert window.document.state.frame_index == 1
+    assert window.services.state.frame_index == 1
     assert len(saved(UNKNOWN)) == 2
 
 
@@ -113,19 +113,19 @@ def test_undo_takes_back_the_name_then_the_line(window, hand, qtbot, saved):
 
 def test_where_a_camera_is_known_the_line_below_the_pen_comes_first(begun, hand_on, qtbot):
     hand = hand_on(begun)
-    names = [ghost.name for ghost in begun.document.ghosts.known][:4]
+    names = [ghost.name for ghost in begun.services.ghosts.known][:4]
     assert len(names) == 4
     for name in names:
         menu = drawn(begun, hand, qtbot, *middle_of(begun, name))
         assert offered(menu)[0] == name
         QTest.keyClick(menu, Qt.Key.Key_Escape)
         hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-        qtbot.waitUntil(lambda: len(begun.document.ghosts.known) >= 4)
+        qtbot.waitUntil(lambda: len(begun.services.ghosts.known) >= 4)
 
 
 def test_it_can_be_switched_off(window, hand):
     window.actions_["draw_first"].trigger()
-    window.document.selecting.select_class(None)
+    window.services.selection.select_class(None)
     hand.click(100, 100)
     assert not window.canvas.editor.drawing
     assert "choose an element first" in window.status.hint.text_for(2000)
@@ -133,7 +133,7 @@ def test_it_can_be_switched_off(window, hand):
 
 def test_a_camera_known_from_few_clicks_names_every_line_in_sight(begun, sample_data):
     """Also those that it knows too little of for a ghost, and while it is fitted anew."""
-    size = begun.document.state.picture_size
+    size = begun.services.state.picture_size
     truth = json.loads((sample_data / "00002.json").read_text())
     missing = [name for name in truth if name not in KEPT and len(truth[name]) > 1]
     assert len(missing) >= 5
@@ -144,8 +144,8 @@ def test_a_camera_known_from_few_clicks_names_every_line_in_sight(begun, sample_
 
 def test_without_a_camera_directions_and_named_neighbours_decide(window, hand, qtbot, sample_data):
     """On a first frame, with nothing but two elements that have names."""
-    document = window.document
-    document.live_fit.set_wanted(False)
+    services = window.services
+    services.live_fit.set_wanted(False)
     truth = json.loads((sample_data / "00003.json").read_text())
     places = {
         name: [(p["x"] * 639, p["y"] * 359) for p in points] for name, points in truth.items()

@@ -30,7 +30,7 @@ def part_of(sample: Path, folder: Path, names: tuple[str, ...], fewer: int) -> P
 
 def told(window: MainWindow) -> dict[str, str | None]:
     """The titles that the four places give."""
-    document, field = window.document, window.document.state.field
+    services, field = window.services, window.services.state.field
     window.panels.show("elements")
     window.elements._refresh()
     window.field_map._refresh()
@@ -46,8 +46,8 @@ def told(window: MainWindow) -> dict[str, str | None]:
     assert len(drawn) <= 1
     words = window.canvas.hint.split("  •  ")
     said = [word.removeprefix("next: ") for word in words if word.startswith("next: ")]
-    if not said and document.state.selected_class is not None and words[0].startswith("DRAW"):
-        said = [field.title_of(document.state.selected_class)]
+    if not said and services.state.selected_class is not None and words[0].startswith("DRAW"):
+        said = [field.title_of(services.state.selected_class)]
     return {
         "map": None if best is None else field.title_of(best.name),
         "list": next(iter(listed), None),
@@ -61,22 +61,22 @@ def told(window: MainWindow) -> dict[str, str | None]:
 def test_it_is_the_same_everywhere(make_window, qtbot, sample_data, tmp_path, sample, fewer):
     folder = part_of(sample_data / sample, tmp_path / "part", FRAMES[sample], fewer)
     window = make_window(folder)
-    document, seen = window.document, 0
+    services, seen = window.services, 0
     for index in range(len(FRAMES[sample])):
-        document.walk.go_to(index)
-        qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
-        document.selecting.select_class(None)
+        services.navigator.go_to(index)
+        qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+        services.selection.select_class(None)
         places = told(window)
         assert len(set(places.values())) == 1, places
         seen += places["map"] is not None
-        for name in document.state.annotation.annotated[
+        for name in services.state.annotation.annotated[
             :3
         ]:  # what was drawn last decides the order
-            document.selecting.select_class(name)
-            best = document.ghosts.suggestion
+            services.selection.select_class(name)
+            best = services.ghosts.suggestion
             places = told(window)
             if best is not None:
-                assert set(places.values()) == {document.state.field.title_of(best.name)}, places
+                assert set(places.values()) == {services.state.field.title_of(best.name)}, places
     assert seen or fewer == 1 or sample != "."  # the others may be known well enough
 
 
@@ -85,19 +85,19 @@ def test_what_was_chosen_after_the_last_one_stays_the_next_until_it_is_drawn(
 ):
     folder = part_of(sample_data, tmp_path / "part", ("00002",), 4)
     window = make_window(folder)
-    document, hand = window.document, hand_on(window)
-    qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
-    best = document.ghosts.suggestion
-    document.selecting.select_class(best.name)
-    assert set(told(window).values()) == {document.state.field.title_of(best.name)}
+    services, hand = window.services, hand_on(window)
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+    best = services.ghosts.suggestion
+    services.selection.select_class(best.name)
+    assert set(told(window).values()) == {services.state.field.title_of(best.name)}
     hand.click(600, 300)
     announced = window.canvas.editor.upcoming
     assert announced is not None
     hand.click(700, 350)
     hand.key(Qt.Key.Key_Return)
-    assert document.state.selected_class == announced
-    qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
-    best = document.ghosts.suggestion
+    assert services.state.selected_class == announced
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+    best = services.ghosts.suggestion
     if best is not None:  # of what the new fit has in sight
         assert best.name == announced
-        assert set(told(window).values()) == {document.state.field.title_of(announced)}
+        assert set(told(window).values()) == {services.state.field.title_of(announced)}

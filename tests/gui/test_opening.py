@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[2]
 def test_pictures_are_ordered_by_their_names_without_suffix(dataset, make_window):
     for old, new in zip(sorted(dataset.iterdir()), ("a10", "a", "a2"), strict=True):
         old.rename(dataset / f"{new}{old.suffix}")
-    workspace = make_window(dataset).document.state.workspace
+    workspace = make_window(dataset).services.state.workspace
     assert [frame.name for frame in workspace.frames] == ["a", "a2", "a10"]
 
 
@@ -37,16 +37,16 @@ def test_a_folder_that_cannot_be_written_is_told_of_before_work_begins(
 
 def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(audited, qtbot):
     """Threshold and distance differ by less than a tenth: in the picture and in the table."""
-    document = audited.document
-    document.camera_sources.set_active_camera(1)
+    services = audited.services
+    services.camera_sources.set_active_camera(1)
     audited.panels.show("scores")
     table = audited.findChild(QTableView, "scores_table")
     distances = [
-        e.max_distance for e in document.judge.score.elements if e.max_distance is not None
+        e.max_distance for e in services.scorer.score.elements if e.max_distance is not None
     ]
     near = next(d for d in distances if 1 < d < 19 and 0.004 < d % 0.1 < 0.046)
     tau = round(near - near % 0.1, 1)
-    document.terms.set_tau(tau)
+    services.evaluation.set_tau(tau)
     wanted = px_text(near, tau)
     assert float(wanted) > tau
     texts = [t for labels in audited.canvas.overlay_item.overlay.labels for t in labels.texts]
@@ -77,6 +77,6 @@ def test_the_sample_is_tried_on_a_copy(window, sample_copy, qtbot, tmp_path, mon
     files = {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")}
     window.actions_["open_sample"].trigger()
     own = tmp_path / "data" / "procc-annotator" / "sample"
-    qtbot.waitUntil(lambda: own.is_dir() and window.document.state.workspace.folder == own)
+    qtbot.waitUntil(lambda: own.is_dir() and window.services.state.workspace.folder == own)
     assert str(own) in window.status.hint.text_for(2000)
     assert {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")} == files

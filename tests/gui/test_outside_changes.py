@@ -37,8 +37,8 @@ def evaluated(dataset: Path, cameras: str = "true") -> dict[str, float]:
 
 def shown(window: MainWindow, cameras: str = "true") -> dict[str, float]:
     """The same as the frame list and the Cameras panel have it."""
-    document = window.document
-    source = next(s for s in document.state.sources if s.name == cameras)
+    services = window.services
+    source = next(s for s in services.state.sources if s.name == cameras)
     found = {name: audit.jac_at(TAU) for name, audit in source.audits.items()}
     mean = source.mean_jac(TAU)
     return {**found, "": mean if mean is not None else -1.0}
@@ -52,7 +52,7 @@ def row(window: MainWindow, index: int) -> RowInfo:
 
 def test_what_is_taken_back_counts_nowhere(audited, annotated, hand_on, qtbot):
     path = annotated / "00005.json"
-    audited.document.walk.go_to(4)
+    audited.services.navigator.go_to(4)
     settle(audited, qtbot)
     before = evaluated(annotated)
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
@@ -68,12 +68,12 @@ def test_what_is_taken_back_counts_nowhere(audited, annotated, hand_on, qtbot):
 def test_a_file_without_elements_counts_as_it_does_for_evaluate(make_window, annotated, qtbot):
     (annotated / "00003.json").write_text("{}")
     window = make_window(annotated)
-    window.document.live_fit.set_wanted(False)
-    window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
+    window.services.live_fit.set_wanted(False)
+    window.services.camera_sources.load_cameras(annotated / "cameras" / "true")
     settle(window, qtbot)
     assert evaluated(annotated)["00003"] == 0.0
     assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
     assert "0.000" in window.top_bar.camera_bar.jac.text()
 
 
@@ -86,11 +86,11 @@ def change(path: Path, keep: int) -> None:
 def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visited(
     audited, annotated, qtbot
 ):
-    document = audited.document
+    services = audited.services
     row(audited, 5)
     qtbot.waitUntil(lambda: row(audited, 5).count not in (None, 3))
     change(annotated / "00006.json", 3)
-    document.walk.go_to(5)
+    services.navigator.go_to(5)
     settle(audited, qtbot)
     let_work_end(qtbot)
     expected = evaluated(annotated)
@@ -99,21 +99,21 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     assert shown(audited, "bad") == pytest.approx(evaluated(annotated, "bad"), abs=1e-6)
     assert row(audited, 5).count == 3
     (annotated / "00006.json").unlink()
-    document.editing.look_at_frame()
-    assert not document.state.annotation.annotated
+    services.editing.look_at_frame()
+    assert not services.state.annotation.annotated
     assert "nothing annotated" in audited.top_bar.camera_bar.jac.text()
     change(annotated / "00002.json", 2)  # it was on screen already
-    document.walk.go_to(1)
-    assert len(document.state.annotation.annotated) == 2
+    services.navigator.go_to(1)
+    assert len(services.state.annotation.annotated) == 2
     for _ in range(2):  # it is somebody else's work: the first time is told only
-        document.editing.undo()
-    assert len(document.state.annotation.annotated) > 2  # what was read is a step of the history
+        services.editing.undo()
+    assert len(services.state.annotation.annotated) > 2  # what was read is a step of the history
 
 
 def test_the_whole_set_follows_once_the_window_is_active_again(audited, annotated, qtbot):
-    document = audited.document
-    document.walk.go_to(2)
-    document.walk.go_to(1)
+    services = audited.services
+    services.navigator.go_to(2)
+    services.navigator.go_to(1)
     for index in (2, 5, 3):
         row(audited, index)
     qtbot.waitUntil(lambda: row(audited, 3).count is not None)
@@ -132,52 +132,52 @@ def test_the_whole_set_follows_once_the_window_is_active_again(audited, annotate
 
 
 def test_a_file_in_the_middle_of_being_written_costs_no_history(audited, annotated, hand_on):
-    document, path = audited.document, annotated / "00002.json"
+    services, path = audited.services, annotated / "00002.json"
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     whole = path.read_text()
-    said = heard(document)
+    said = heard(services)
     path.write_text(whole[:20])
-    document.editing.look_at_frame()
+    services.editing.look_at_frame()
     assert not said  # it was not read; the frame says why
-    assert not document.state.editable
-    assert not document.state.annotation.annotated
+    assert not services.state.editable
+    assert not services.state.annotation.annotated
     path.write_text(whole)
-    document.editing.look_at_frame()
-    assert document.state.editable
+    services.editing.look_at_frame()
+    assert services.state.editable
     assert "read again" in said[-1]
-    drawn = document.state.annotation
-    document.editing.undo()
-    assert document.state.annotation != drawn
+    drawn = services.state.annotation
+    services.editing.undo()
+    assert services.state.annotation != drawn
 
 
 def test_own_edits_that_are_not_saved_stay(audited, annotated, hand_on, qtbot):
     change(annotated / "00002.json", 2)
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     change(annotated / "00002.json", 1)
-    audited.document.state.workspace.edit(1, "mine", FrameAnnotation())
+    audited.services.state.workspace.edit(1, "mine", FrameAnnotation())
     activate(audited)
     let_work_end(qtbot)
-    assert not audited.document.state.workspace.read(1).annotated
-    assert audited.document.saver.save(1) is False
+    assert not audited.services.state.workspace.read(1).annotated
+    assert audited.services.saver.save(1) is False
     assert not audited.conflict_bar.isHidden()
 
 
 def test_the_frame_on_screen_follows_its_file_at_once(audited, annotated, qtbot):
     change(annotated / "00002.json", 2)
-    qtbot.waitUntil(lambda: len(audited.document.state.annotation.annotated) == 2)
+    qtbot.waitUntil(lambda: len(audited.services.state.annotation.annotated) == 2)
 
 
 @pytest.mark.parametrize("how", ["active again", "visited"])
 def test_cameras_written_anew_are_judged(audited, annotated, qtbot, how):
     cameras = annotated / "cameras"
-    document = audited.document
-    assert document.judge.score.jac == pytest.approx(1.0)
+    services = audited.services
+    assert services.scorer.score.jac == pytest.approx(1.0)
     for frame in ("00002", "00003"):
         worse = (cameras / "bad" / f"camera_{frame}.json").read_text()
         (cameras / "true" / f"camera_{frame}.json").write_text(worse)
     (cameras / "true" / "camera_00006.json").unlink()
     if how == "visited":
-        document.walk.go_to(2)
+        services.navigator.go_to(2)
     else:
         activate(audited)
     let_work_end(qtbot)
@@ -186,14 +186,14 @@ def test_cameras_written_anew_are_judged(audited, annotated, qtbot, how):
     assert expected["00002"] < 1.0
     assert "00006" not in expected
     assert shown(audited) == pytest.approx(expected, abs=1e-6)
-    assert document.judge.score.jac == pytest.approx(expected[document.state.frame.name])
+    assert services.scorer.score.jac == pytest.approx(expected[services.state.frame.name])
 
 
 def test_a_frame_that_no_figure_counts_has_no_score(audited, annotated, hand_on, qtbot):
-    document, judged = audited.document, audited.top_bar.camera_bar
+    services, judged = audited.services, audited.top_bar.camera_bar
     audited.panels.show("scores")
-    document.walk.go_to(4)
-    assert document.judge.score is not None  # its projection is drawn all the same
+    services.navigator.go_to(4)
+    assert services.scorer.score is not None  # its projection is drawn all the same
     assert "–" in judged.jac.text()
     assert "nothing annotated yet" in judged.jac.text()
     scores = audited.scores
@@ -203,7 +203,7 @@ def test_a_frame_that_no_figure_counts_has_no_score(audited, annotated, hand_on,
     assert "–" not in judged.jac.text()
     qtbot.waitUntil(lambda: not scores.empty.isVisible())
     (annotated / "00003.json").write_text("{")
-    document.walk.go_to(2)
+    services.navigator.go_to(2)
     assert "annotation cannot be read" in judged.jac.text()
     qtbot.waitUntil(lambda: "annotation cannot be read" in scores.empty.text())
 

@@ -19,19 +19,19 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def judged_window(make_window, annotated: Path):
     window = make_window(annotated)
-    assert window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
-    assert window.document.judge.score is not None
+    assert window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
+    assert window.services.scorer.score is not None
     return window
 
 
 def scene_of(window, **changes) -> Scene:
-    document = window.document
+    services = window.services
     given = {
-        "image_path": document.state.frame.image_path,
-        "annotation": document.state.annotation,
-        "setup": document.state.setup,
-        "measurement": document.judge.measurement,
-        "score": document.judge.score,
+        "image_path": services.state.frame.image_path,
+        "annotation": services.state.annotation,
+        "setup": services.state.setup,
+        "measurement": services.scorer.measurement,
+        "score": services.scorer.score,
         "title": "A <frame> & more",
     }
     return Scene(**(given | changes))
@@ -46,7 +46,7 @@ def decoded(data: bytes) -> np.ndarray:
 @pytest.mark.parametrize("scale", [0.5, 1.0, 2.0])
 def test_pixels_come_at_any_scale(make_window, annotated, scale):
     window = judged_window(make_window, annotated)
-    width, height = window.document.state.picture_size
+    width, height = window.services.state.picture_size
     plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(window)))
     assert plain.shape[:2] == (round(height * scale), round(width * scale))
     with_legend = decoded(
@@ -64,7 +64,7 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, annotated):
     scene = scene_of(window)
     data = OverlayPictures(".svg", OverlayLook(2.0, legend=True))(scene)
     root = ElementTree.fromstring(data)
-    width, height = window.document.state.picture_size
+    width, height = window.services.state.picture_size
     assert root.get("width") == str(2 * width)
     shown_height = float(root.get("height"))
     assert shown_height > 2 * height
@@ -78,7 +78,7 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, annotated):
     texts = ["".join(t.itertext()) for t in root.iter(f"{SVG}text")]
     assert any(t.startswith("too far: a point") for t in texts)
     assert "distances: px of 960x540" in texts
-    jac = window.document.judge.score.jac
+    jac = window.services.scorer.score.jac
     assert any(f"JaC@5 {jac:.3f}" in t and "soccernet, 960x540" in t for t in texts)
     order = [element.tag for element in root]
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
@@ -114,7 +114,7 @@ def test_the_menu_asks_and_writes(make_window, annotated, tmp_path, monkeypatch,
 
     monkeypatch.setattr(OverlayDialog, "exec", choose)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
-    said = heard(window.document)
+    said = heard(window.services)
     window.actions_["save_overlay"].trigger()
     written = out.with_suffix(".svg")
     qtbot.waitUntil(lambda: len(said) == 2, timeout=20_000)
@@ -128,15 +128,15 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
     window = judged_window(make_window, annotated)
     expected = decoded(
         OverlayPictures(".png", OverlayLook(3.0, legend=True))(
-            scene_of(window, title=window.document.state.frame.name, source="bad")
+            scene_of(window, title=window.services.state.frame.name, source="bad")
         )
     )
     said: list[tuple[str, str]] = []
-    window.document.store.events.message.connect(lambda m: said.append((m.text, m.level)))
+    window.services.store.events.message.connect(lambda m: said.append((m.text, m.level)))
     out = tmp_path / "large.png"
     assert window.overlay_saving.write(out, OverlayLook(3.0, legend=True))
     assert not out.exists()  # nobody waited for it
-    window.document.walk.next_frame()  # what is written is what was on screen then
+    window.services.navigator.next_frame()  # what is written is what was on screen then
     qtbot.waitUntil(out.exists, timeout=20_000)
     assert np.array_equal(decoded(out.read_bytes()), expected)
     qtbot.waitUntil(lambda: said[-1] == (f"overlay picture written to {out}", "info"))
@@ -161,7 +161,7 @@ def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot):
 
 def test_the_picture_itself_is_never_replaced(make_window, dataset):
     window = make_window(dataset)
-    path = window.document.state.frame.image_path
+    path = window.services.state.frame.image_path
     before = path.read_bytes()
     assert not window.overlay_saving.write(path, OverlayLook())
     assert path.read_bytes() == before

@@ -28,11 +28,11 @@ def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:
 
 
 def test_an_edit_is_shown_before_it_is_saved_and_judged(audited, qtbot):
-    document, order = audited.document, []
-    document.store.watch(lambda s: s.annotation, lambda: order.append("shown"))
-    document.saver.saved.connect(lambda: order.append("saved"))
-    document.store.events.sourceAuditsChanged.connect(lambda _: order.append("judged"))
-    document.editing.commit_edit("nudge", nudged(document.state.annotation))
+    services, order = audited.services, []
+    services.store.watch(lambda s: s.annotation, lambda: order.append("shown"))
+    services.saver.saved.connect(lambda: order.append("saved"))
+    services.store.events.sourceAuditsChanged.connect(lambda _: order.append("judged"))
+    services.editing.commit_edit("nudge", nudged(services.state.annotation))
     assert order == ["shown"]
     assert audited.top_bar.saved.text() == "saving..."
     qtbot.waitUntil(lambda: {"saved", "judged"} <= set(order))
@@ -40,16 +40,16 @@ def test_an_edit_is_shown_before_it_is_saved_and_judged(audited, qtbot):
 
 
 def test_leaving_right_after_an_edit_judges_what_was_left(audited, qtbot):
-    document = audited.document
+    services = audited.services
     name, before = (
-        document.state.frame.name,
-        document.auditing.active_audits[document.state.frame.name],
+        services.state.frame.name,
+        services.scoring.active_audits[services.state.frame.name],
     )
-    document.editing.commit_edit("nudge", nudged(document.state.annotation))
-    score = document.judge.score
-    document.walk.next_frame()
-    assert document.auditing.active_audits[name] is not before
-    assert document.auditing.active_audits[name].jac_at(document.state.tau) == pytest.approx(
+    services.editing.commit_edit("nudge", nudged(services.state.annotation))
+    score = services.scorer.score
+    services.navigator.next_frame()
+    assert services.scoring.active_audits[name] is not before
+    assert services.scoring.active_audits[name].jac_at(services.state.tau) == pytest.approx(
         score.jac
     )
     settle(audited, qtbot)
@@ -57,32 +57,32 @@ def test_leaving_right_after_an_edit_judges_what_was_left(audited, qtbot):
 
 def test_closing_right_after_an_edit_or_an_undo_loses_nothing(make_window, annotated):
     window = make_window(annotated)
-    document = window.document
-    document.walk.go_to(FRAME)
-    frame, polyline = document.state.frame.name, document.state.annotation.polylines[0]
-    document.editing.commit_edit("nudge", nudged(document.state.annotation))
-    moved = [point.u for point in document.state.annotation.polylines[0].points]
+    services = window.services
+    services.navigator.go_to(FRAME)
+    frame, polyline = services.state.frame.name, services.state.annotation.polylines[0]
+    services.editing.commit_edit("nudge", nudged(services.state.annotation))
+    moved = [point.u for point in services.state.annotation.polylines[0].points]
     window.close()
     assert on_disk(annotated, frame, polyline.class_name) == moved
     window = make_window(annotated)
-    window.document.walk.go_to(FRAME)
-    window.document.editing.commit_edit("nudge", nudged(window.document.state.annotation))
-    window.document.editing.undo()
+    window.services.navigator.go_to(FRAME)
+    window.services.editing.commit_edit("nudge", nudged(window.services.state.annotation))
+    window.services.editing.undo()
     window.close()
     assert on_disk(annotated, frame, polyline.class_name) == moved
 
 
 def test_an_undo_is_one_step_and_draws_the_overlay_once(audited, qtbot, monkeypatch):
-    document, canvas = audited.document, audited.canvas
-    document.editing.commit_edit("nudge", nudged(document.state.annotation))
+    services, canvas = audited.services, audited.canvas
+    services.editing.commit_edit("nudge", nudged(services.state.annotation))
     settle(audited, qtbot)
     steps, drawn = [], []
-    document.store.watch(lambda s: s.annotation, lambda: steps.append(1))
+    services.store.watch(lambda s: s.annotation, lambda: steps.append(1))
     draw = canvas.overlay_item.set_overlay
     monkeypatch.setattr(
         canvas.overlay_item, "set_overlay", lambda *a, **k: (drawn.append(a), draw(*a, **k))
     )
-    document.editing.undo()
+    services.editing.undo()
     assert (len(steps), len(drawn)) == (1, 1)
     assert audited.status.hint.text().startswith("undone: nudge")
     settle(audited, qtbot)
@@ -136,13 +136,13 @@ class Painted(QObject):
 
 def test_an_edit_is_painted_before_anything_that_waits_its_turn(audited, qtbot):
     settle(audited, qtbot)
-    document, canvas, later = audited.document, audited.canvas, QTimer(singleShot=True, interval=0)
+    services, canvas, later = audited.services, audited.canvas, QTimer(singleShot=True, interval=0)
     painted = Painted(canvas.viewport())
     QApplication.processEvents()
     painted.heights.clear()
     seen: list[int] = []
     later.timeout.connect(lambda: seen.append(len(painted.heights)))
-    document.editing.commit_edit("nudge", nudged(document.state.annotation))
+    services.editing.commit_edit("nudge", nudged(services.state.annotation))
     later.start()
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [1], "the picture was painted before it, once"
@@ -151,11 +151,11 @@ def test_an_edit_is_painted_before_anything_that_waits_its_turn(audited, qtbot):
 
 def test_one_row_of_the_frames_is_painted_for_one_frame(audited, qtbot):
     all_done(qtbot)  # thumbnails, marks and the label check paint rows when they come
-    check, rows = audited.document.label_check, audited.frames.list
+    check, rows = audited.services.label_check, audited.frames.list
     painted = Painted(rows.viewport())
     QApplication.processEvents()
     painted.heights.clear()  # what an earlier change had left to paint
-    check.framesChanged.emit(audited.document.state.workspace.frames[3].name)
+    check.framesChanged.emit(audited.services.state.workspace.frames[3].name)
     QApplication.processEvents()
     assert painted.heights == [rows.rowHeight(3)]
     painted.heights.clear()

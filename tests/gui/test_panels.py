@@ -22,7 +22,7 @@ from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPa
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.panels.tables import short_titles
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup
 
@@ -82,17 +82,17 @@ def cameras(tmp_path) -> Path:
 
 
 @pytest.fixture
-def document(qapp, frames) -> Iterator[Document]:
-    document = Document()
-    assert document.opening.open_path(frames)
-    yield document
-    document.close()
+def services(qapp, frames) -> Iterator[Services]:
+    services = Services()
+    assert services.opening.open_path(frames)
+    yield services
+    services.close()
 
 
 @pytest.fixture
-def judged(document, cameras) -> Document:
-    assert document.camera_sources.load_cameras(cameras)
-    return document
+def judged(services, cameras) -> Services:
+    assert services.camera_sources.load_cameras(cameras)
+    return services
 
 
 @pytest.fixture
@@ -109,23 +109,23 @@ def show(qtbot) -> Callable[[QWidget], None]:
 # --- states ------------------------------------------------------------------------------------
 
 
-def test_states_follow_the_score(document, cameras):
-    states = element_states(document)
+def test_states_follow_the_score(services, cameras):
+    states = element_states(services)
     assert set(states.values()) == {ElementState.ANNOTATED}
-    document.camera_sources.load_cameras(cameras)
-    states = element_states(document)
+    services.camera_sources.load_cameras(cameras)
+    states = element_states(services)
     assert states[PASSES] is ElementState.PASSES
     assert states[TOO_FAR] is ElementState.TOO_FAR
     assert states[NOT_ANNOTATED] is ElementState.NOT_ANNOTATED
     assert states[MISSED] is ElementState.MISSED
     assert states[UNKNOWN] is ElementState.MISSED
-    document.terms.set_tau(30.0)
-    assert element_states(document)[TOO_FAR] is ElementState.PASSES
-    document.blind_lock.set_blind(True)
-    assert set(element_states(document).values()) == {ElementState.ANNOTATED}
+    services.evaluation.set_tau(30.0)
+    assert element_states(services)[TOO_FAR] is ElementState.PASSES
+    services.blind_lock.set_blind(True)
+    assert set(element_states(services).values()) == {ElementState.ANNOTATED}
 
 
-def test_no_two_failing_states_have_the_same_line(qapp, document):
+def test_no_two_failing_states_have_the_same_line(qapp, services):
     palette = QWidget().palette()
     pens = [state_pen(state, palette, 2.0) for state in ElementState]
     looks = {(pen.color().name(), tuple(pen.dashPattern())) for pen in pens}
@@ -140,8 +140,8 @@ def test_no_two_failing_states_have_the_same_line(qapp, document):
 # --- field map ---------------------------------------------------------------------------------
 
 
-def test_the_main_camera_s_side_is_at_the_bottom(document, show):
-    panel = FieldMapPanel(document)
+def test_the_main_camera_s_side_is_at_the_bottom(services, show):
+    panel = FieldMapPanel(services)
     show(panel)
     near, far = panel.position_of("Side line bottom"), panel.position_of("Side line top")
     crossbar, line = panel.position_of("Goal left crossbar"), panel.position_of("Side line left")
@@ -159,19 +159,19 @@ def point_at(widget: QWidget, position: QPointF) -> None:
     QApplication.sendEvent(widget, moved)
 
 
-def test_hovering_the_map_tells_everybody(qtbot, document, show):
-    panel = FieldMapPanel(document)
+def test_hovering_the_map_tells_everybody(qtbot, services, show):
+    panel = FieldMapPanel(services)
     show(panel)
     position = panel.position_of("Circle central")
     assert position is not None
     point_at(panel, position)
-    qtbot.waitUntil(lambda: document.state.hovered_class == "Circle central")
+    qtbot.waitUntil(lambda: services.state.hovered_class == "Circle central")
     point_at(panel, QPointF(1, 1))
-    qtbot.waitUntil(lambda: document.state.hovered_class is None)
+    qtbot.waitUntil(lambda: services.state.hovered_class is None)
 
 
-def test_the_map_shows_the_state_of_an_element(qtbot, document, cameras, show):
-    panel = FieldMapPanel(document)
+def test_the_map_shows_the_state_of_an_element(qtbot, services, cameras, show):
+    panel = FieldMapPanel(services)
     show(panel)
     position = panel.position_of("Big rect. left main")
     beside = position.toPoint() + QPoint(0, 20)  # off the tick in the middle
@@ -180,7 +180,7 @@ def test_the_map_shows_the_state_of_an_element(qtbot, document, cameras, show):
         return panel.grab().toImage().pixelColor(beside)
 
     before = colour()
-    document.camera_sources.load_cameras(cameras)
+    services.camera_sources.load_cameras(cameras)
     qtbot.waitUntil(lambda: colour() != before)
     assert colour().green() > colour().red() + 60
 
@@ -203,13 +203,13 @@ def test_the_list_shows_points_and_status(qtbot, judged, show):
     assert _status(panel, UNKNOWN) == ("1", "missed")
     assert "unknown classes" in panel._items[UNKNOWN].parent().text(NAME)
     assert "unknown" not in panel._items[UNKNOWN].text(NAME)  # that would take the name's room
-    judged.walk.next_frame()
+    judged.navigator.next_frame()
     qtbot.waitUntil(lambda: UNKNOWN not in panel._items)
     assert _status(panel, PASSES) == ("", "")
 
 
-def test_a_few_letters_and_enter_choose_an_element(qtbot, document, show):
-    panel = ElementsPanel(document)
+def test_a_few_letters_and_enter_choose_an_element(qtbot, services, show):
+    panel = ElementsPanel(services)
     show(panel)
     panel.focus_search()
     search = panel.findChild(QLineEdit, "elements_search")
@@ -217,34 +217,34 @@ def test_a_few_letters_and_enter_choose_an_element(qtbot, document, show):
     qtbot.keyClicks(search, "cen cir")
     with qtbot.waitSignal(panel.left):
         qtbot.keyClick(search, Qt.Key.Key_Return)
-    assert document.state.selected_class == "Circle central"
+    assert services.state.selected_class == "Circle central"
     assert search.text() == ""
     qtbot.keyClicks(search, "xyz")
     assert panel.nothing.isVisible()
     assert "xyz" in panel.nothing.text()
     qtbot.keyClick(search, Qt.Key.Key_Return)
-    assert document.state.selected_class == "Circle central"
+    assert services.state.selected_class == "Circle central"
     with qtbot.waitSignal(panel.left):
         qtbot.keyClick(search, Qt.Key.Key_Escape)
     assert not panel.nothing.isVisible()
 
 
-def test_clicking_a_row_chooses_its_class(qtbot, document, show):
-    panel = ElementsPanel(document)
+def test_clicking_a_row_chooses_its_class(qtbot, services, show):
+    panel = ElementsPanel(services)
     show(panel)
     rect = panel.tree.visualItemRect(panel._items["Big rect. left top"])
     qtbot.mouseClick(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-    assert document.state.selected_class == "Big rect. left top"
-    document.selecting.select_class("Circle right")
+    assert services.state.selected_class == "Big rect. left top"
+    services.selection.select_class("Circle right")
     qtbot.waitUntil(lambda: panel.tree.currentItem() is panel._items["Circle right"])
 
 
 # --- cameras -----------------------------------------------------------------------------------
 
 
-def test_loading_switching_and_removing_camera_sets(qtbot, document, cameras, show):
-    document.live_fit.set_wanted(False)
-    panel = CamerasPanel(document)
+def test_loading_switching_and_removing_camera_sets(qtbot, services, cameras, show):
+    services.live_fit.set_wanted(False)
+    panel = CamerasPanel(services)
     show(panel)
     assert panel.empty.isVisible()
     panel.load(cameras)
@@ -253,13 +253,13 @@ def test_loading_switching_and_removing_camera_sets(qtbot, document, cameras, sh
     assert matched.text().startswith(("2 of 2", "1 of 2"))  # one is damaged, once it was read
     qtbot.waitUntil(lambda: matched.text() == "1 of 2, 1 unreadable")
     assert not panel.empty.isVisible()
-    assert document.state.active_cameras is document.state.looks[0].cameras
+    assert services.state.active_cameras is services.state.looks[0].cameras
     none = panel.findChild(QWidget, "cameras_none")
     qtbot.mouseClick(none, Qt.MouseButton.LeftButton, pos=QPoint(8, none.height() // 2))
-    assert document.state.active_cameras is None
+    assert services.state.active_cameras is None
     remove = panel.findChild(QToolButton, "cameras_remove_0")
     remove.click()
-    assert [look.cameras for look in document.state.looks] == []
+    assert [look.cameras for look in services.state.looks] == []
     qtbot.waitUntil(panel.empty.isVisible)
 
 
@@ -268,7 +268,7 @@ def test_a_damaged_camera_is_told_where_it_is_used(qtbot, judged, show):
     show(panel)
     show(scores)
     assert not panel.error.isVisible()
-    judged.walk.next_frame()
+    judged.navigator.next_frame()
     qtbot.waitUntil(panel.error.isVisible)
     assert "radial_distortion" in panel.error.text()
     qtbot.waitUntil(lambda: "radial_distortion" in scores.empty.text())
@@ -291,12 +291,12 @@ def test_the_protocol_is_chosen_here(qtbot, judged, show):
 def test_figures_stand_with_their_terms(qtbot, judged, show):
     panel = ScoresPanel(judged)
     show(panel)
-    score = judged.judge.score
+    score = judged.scorer.score
     qtbot.waitUntil(lambda: panel.jac.text() == f"{score.jac:.3f}")
     assert panel.at_tau.text() == "JaC at 5.0 px"
     assert panel.terms.text().startswith("soccernet, 960x540\npoints: ")
-    judged.terms.set_tau(30.0)
-    later = judged.judge.score
+    judged.evaluation.set_tau(30.0)
+    later = judged.scorer.score
     qtbot.waitUntil(lambda: panel.at_tau.text() == "JaC at 30.0 px")
     assert panel.jac.text() == f"{later.jac:.3f}"
     assert later.jac > score.jac
@@ -325,8 +325,8 @@ def test_the_worst_element_is_first_and_a_click_flies_to_its_deciding_point(qtbo
     assert 0 <= y <= 539
 
 
-def test_without_camera_the_panel_says_what_to_do(qtbot, document, show):
-    panel = ScoresPanel(document)
+def test_without_camera_the_panel_says_what_to_do(qtbot, services, show):
+    panel = ScoresPanel(services)
     show(panel)
     assert panel.empty.isVisible()
     assert "Load cameras" in panel.empty.text()

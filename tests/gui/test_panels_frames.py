@@ -15,7 +15,7 @@ from procc_annotator.gui.panels.frames.delegate import row_words
 from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
 from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 
 
 @pytest.fixture
@@ -30,16 +30,16 @@ def frames(tmp_path) -> Path:
 
 
 @pytest.fixture
-def document(qapp, frames) -> Iterator[Document]:
-    document = Document()
-    assert document.opening.open_path(frames)
-    yield document
-    document.close()
+def services(qapp, frames) -> Iterator[Services]:
+    services = Services()
+    assert services.opening.open_path(frames)
+    yield services
+    services.close()
 
 
 @pytest.fixture
-def panel(qtbot, document) -> FramesPanel:
-    panel = FramesPanel(document, document.cache)
+def panel(qtbot, services) -> FramesPanel:
+    panel = FramesPanel(services, services.cache)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
     panel.show()
@@ -70,9 +70,9 @@ def test_rows_fill_in_behind(qtbot, panel):
     assert thumbnail.pixelColor(3, 3).red() == 50
 
 
-def test_pictures_come_from_the_top_down(qtbot, document, frames):
+def test_pictures_come_from_the_top_down(qtbot, services, frames):
     """As far as they are painted together, which is not for a test to say of a whole list."""
-    thumbnails = Thumbnails(document.cache, document)
+    thumbnails = Thumbnails(services.cache, services)
     rows = [frames / f"match {i}.png" for i in range(1, 9)]
     came: list[list[Path]] = []
     thumbnails.arrived.connect(came.append)
@@ -82,11 +82,11 @@ def test_pictures_come_from_the_top_down(qtbot, document, frames):
     assert [path for batch in came for path in batch] == rows
 
 
-def test_a_click_goes_to_the_frame_and_the_list_follows(qtbot, panel, document):
+def test_a_click_goes_to_the_frame_and_the_list_follows(qtbot, panel, services):
     rect = panel.list.visualRect(panel.model.index(4, 0))
     qtbot.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-    assert document.state.frame_index == 4
-    document.walk.go_to(11)
+    assert services.state.frame_index == 4
+    services.navigator.go_to(11)
     qtbot.waitUntil(lambda: panel.list.currentIndex().row() == 11)
     assert (
         panel.list.viewport()
@@ -95,16 +95,16 @@ def test_a_click_goes_to_the_frame_and_the_list_follows(qtbot, panel, document):
     )
 
 
-def test_the_filter_narrows_by_name(qtbot, panel, document):
+def test_the_filter_narrows_by_name(qtbot, panel, services):
     qtbot.keyClicks(panel.filter, "MATCH 1")
     assert panel.model.rowCount() == 4
     assert panel.count.text() == "4 of 12 frames"
     assert panel.list.currentIndex().row() == 0
-    document.walk.go_to(10)
+    services.navigator.go_to(10)
     qtbot.waitUntil(lambda: panel.list.currentIndex().row() == 2)
-    document.walk.go_to(5)
+    services.navigator.go_to(5)
     qtbot.waitUntil(lambda: not panel.list.currentIndex().isValid())
-    assert document.state.frame_index == 5
+    assert services.state.frame_index == 5
     qtbot.keyClicks(panel.filter, "x")
     assert panel.empty.isVisible()
     assert "MATCH 1x" in panel.empty.text()
@@ -113,25 +113,25 @@ def test_the_filter_narrows_by_name(qtbot, panel, document):
     assert panel.list.currentIndex().row() == 5
 
 
-def test_enter_in_the_filter_goes_to_the_first_match(qtbot, panel, document):
+def test_enter_in_the_filter_goes_to_the_first_match(qtbot, panel, services):
     qtbot.keyClicks(panel.filter, "12")
     qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
-    assert document.state.frame_index == 11
+    assert services.state.frame_index == 11
     qtbot.keyClick(panel.filter, Qt.Key.Key_Escape)
     assert panel.model.rowCount() == 12
     assert panel.list.currentIndex().row() == 11
 
 
-def test_an_edit_is_counted(qtbot, panel, document):
+def test_an_edit_is_counted(qtbot, panel, services):
     qtbot.waitUntil(lambda: _known(panel, 0))
     line = Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2)))
-    document.editing.commit_edit("draw", FrameAnnotation((line,)))
+    services.editing.commit_edit("draw", FrameAnnotation((line,)))
     qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
 
 
 def test_without_frames_the_panel_says_what_to_do(qtbot, qapp):
-    document = Document()
-    panel = FramesPanel(document, document.cache)
+    services = Services()
+    panel = FramesPanel(services, services.cache)
     qtbot.addWidget(panel)
     panel.show()
     assert panel.empty.isVisible()
@@ -145,9 +145,9 @@ def test_of_twenty_thousand_frames_only_those_on_show_are_looked_at(
     cv2.imwrite(str(first), np.zeros((4, 4, 3), dtype=np.uint8))
     for i in range(1, 20_000):
         (tmp_path / f"{i:05d}.png").hardlink_to(first)
-    document = Document()
-    assert document.opening.open_path(tmp_path)
-    panel = FramesPanel(document, document.cache)
+    services = Services()
+    assert services.opening.open_path(tmp_path)
+    panel = FramesPanel(services, services.cache)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
     asked: set[int] = set()
@@ -176,15 +176,15 @@ def test_the_status_is_not_cut_for_the_number_of_elements():
     assert row_words(row, False) == ["in progress · 12", "in progress", "12"]
 
 
-def test_what_is_drawn_right_before_a_frame_is_left_is_counted(qtbot, panel, document):
+def test_what_is_drawn_right_before_a_frame_is_left_is_counted(qtbot, panel, services):
     qtbot.waitUntil(lambda: _known(panel, 0))
     assert _info(panel, 0).count == 0
     line = Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9)))
-    with document.store.transaction():  # as a polyline under way is finished by leaving
-        assert document.editing.commit_edit("draw", FrameAnnotation((line,)))
-        document.walk.go_to(1)
+    with services.store.transaction():  # as a polyline under way is finished by leaving
+        assert services.editing.commit_edit("draw", FrameAnnotation((line,)))
+        services.navigator.go_to(1)
     qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
-    assert document.editing.commit_edit("draw", FrameAnnotation((line,)))
-    document.walk.go_to(5)
-    document.walk.go_to(0)
+    assert services.editing.commit_edit("draw", FrameAnnotation((line,)))
+    services.navigator.go_to(5)
+    services.navigator.go_to(0)
     qtbot.waitUntil(lambda: _info(panel, 1).count == 1)

@@ -38,12 +38,12 @@ def sample(annotated) -> Path:
 def plotted(make_window, sample, qtbot) -> MainWindow:
     """The window on the sample, three sources audited, "bad" active, the plots open; no fit."""
     window = make_window(sample)
-    window.document.live_fit.set_wanted(False)
+    window.services.live_fit.set_wanted(False)
     for name in SETS:
-        assert window.document.camera_sources.load_cameras(sample / "cameras" / name)
-    window.document.camera_sources.set_active_camera(1)
-    window.document.walk.go_to(1)
-    qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
+        assert window.services.camera_sources.load_cameras(sample / "cameras" / name)
+    window.services.camera_sources.set_active_camera(1)
+    window.services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
     window.panels.show("plots")
     return window
 
@@ -98,17 +98,17 @@ class TestTimeline:
         page = plotted.plots.page
         for number in (7, 3, 12):
             click_at(page, number)
-            assert plotted.document.state.frame_index == number - 1
+            assert plotted.services.state.frame_index == number - 1
             qtbot.waitUntil(lambda n=number: page.here.value() == n)
-        plotted.document.walk.go_to(0)
+        plotted.services.navigator.go_to(0)
         qtbot.waitUntil(lambda: page.here.value() == 1)
 
     def test_it_shows_every_score_and_gaps(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, TimelinePage)
-        document = plotted.document
+        services = plotted.services
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
-        assert [row["frame"] for row in rows] == [f.name for f in document.state.workspace.frames]
-        for source in document.state.sources:
+        assert [row["frame"] for row in rows] == [f.name for f in services.state.workspace.frames]
+        for source in services.state.sources:
             column = f"jac@5 {source.name}"
             for row in rows:
                 audit = source.audits.get(row["frame"])
@@ -117,13 +117,13 @@ class TestTimeline:
                 else:
                     assert float(row[column]) == pytest.approx(audit.jac_at(5.0), abs=1e-5)
         drawn = {s.name: values for s, values, *_ in plotted.plots.page._lines}
-        assert np.isnan(drawn["bad"]).sum() == 14 - len(document.state.sources[1].audits) > 0
+        assert np.isnan(drawn["bad"]).sum() == 14 - len(services.state.sources[1].audits) > 0
 
     def test_hovering_tells_frame_and_values(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         hover_at(plotted.plots.page, 2.1)
         said = plotted.plots.notes.text()
-        jac = plotted.document.state.sources[1].audits["00002"].jac_at(5.0)
+        jac = plotted.services.state.sources[1].audits["00002"].jac_at(5.0)
         assert said.startswith("00002 (frame 2) · true 1.000")
         assert f"bad {jac:.3f}" in said
         hover_at(plotted.plots.page, 5.0)  # nobody annotated it
@@ -131,9 +131,9 @@ class TestTimeline:
 
     def test_another_tau_gives_other_values(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
-        plotted.document.terms.set_tau(20.0)
+        plotted.services.evaluation.set_tau(20.0)
         settle(plotted, qtbot)
-        audits = plotted.document.state.sources[1].audits
+        audits = plotted.services.state.sources[1].audits
         _, values, *_ = next(x for x in plotted.plots.page._lines if x[0].name == "bad")
         assert values[1] == pytest.approx(audits["00002"].jac_at(20.0))
         assert values[1] != pytest.approx(audits["00002"].jac_at(5.0))
@@ -146,20 +146,20 @@ class TestTau:
 
     def test_the_frames_curves_and_the_line_that_can_be_dragged(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, TauPage, "frame")
-        document, page = plotted.document, plotted.plots.page
+        services, page = plotted.services, plotted.plots.page
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
-        assert float(at_5["jac bad"]) == pytest.approx(document.judge.score.jac, abs=1e-5)
+        assert float(at_5["jac bad"]) == pytest.approx(services.scorer.score.jac, abs=1e-5)
         assert float(at_5["jac true"]) == 1.0
         assert page.line.isVisible()
         page.line.setValue(8.0)
         page.line.sigDragged.emit(page.line)
-        assert document.state.tau == 8.0
+        assert services.state.tau == 8.0
 
     def test_the_sets_curve_is_the_mean(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, TauPage, "set")
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
-        audits = plotted.document.state.sources[1].audits
+        audits = plotted.services.state.sources[1].audits
         mean = np.mean([a.jac_at(5.0) for a in audits.values()])
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
         assert float(at_5["jac bad"]) == pytest.approx(mean, abs=1e-5)
@@ -172,8 +172,8 @@ class TestTau:
         show(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
         alone = numbers(plotted, qtbot, tmp_path / "alone.csv")
-        names = [frame.name for frame in plotted.document.state.workspace.frames]
-        table = plotted.document.state.workspace.folder / "frames.csv"
+        names = [frame.name for frame in plotted.services.state.workspace.frames]
+        table = plotted.services.state.workspace.folder / "frames.csv"
         rows = [f"{name},{'abc'[place // 5]},{place}" for place, name in enumerate(names)]
         table.write_text("frame,shot,number\n" + "\n".join(rows) + "\n")
         show(plotted, qtbot, TimelinePage, "set")
@@ -185,7 +185,7 @@ class TestTau:
         assert alone[at]["high bad"] != clustered[at]["high bad"]
 
     def test_a_table_of_frames_that_is_damaged_is_said_and_names_tell(self, plotted, qtbot):
-        (plotted.document.state.workspace.folder / "frames.csv").write_text(
+        (plotted.services.state.workspace.folder / "frames.csv").write_text(
             "frame,shot\n1,a\n1,a\n"
         )
         show(plotted, qtbot, TauPage, "set")
@@ -195,10 +195,10 @@ class TestTau:
 
     def test_an_edit_is_seen_at_once(self, plotted, qtbot):
         show(plotted, qtbot, TauPage, "frame")
-        document = plotted.document
+        services = plotted.services
         before = plotted.plots._data.curves[1].copy()
-        document.editing.commit_edit(
-            "clear", document.state.annotation.without(document.state.annotation.annotated[0])
+        services.editing.commit_edit(
+            "clear", services.state.annotation.without(services.state.annotation.annotated[0])
         )
         qtbot.waitUntil(lambda: not np.array_equal(plotted.plots._data.curves[1], before))
 
@@ -206,34 +206,34 @@ class TestTau:
 class TestErrors:
     def test_the_bars_count_every_point(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
-        document = plotted.document
+        services = plotted.services
         for source, counts in zip(
-            document.state.sources, plotted.plots._data.bars.counts, strict=True
+            services.state.sources, plotted.plots._data.bars.counts, strict=True
         ):
             points = sum(len(audit.errors_px) for audit in source.audits.values())
             assert counts.sum() == points > 0
 
     def test_one_class_only(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
-        panel, document = plotted.plots, plotted.document
-        row = document.state.field.index["Middle line"]
+        panel, services = plotted.plots, plotted.services
+        row = services.state.field.index["Middle line"]
         panel.classes.setCurrentIndex(panel.classes.findData(row))
         settle(plotted, qtbot)
         expected = [
             sum(int((a.class_rows == row).sum()) for a in source.audits.values())
-            for source in document.state.sources
+            for source in services.state.sources
         ]
         assert [int(c.sum()) for c in panel._data.bars.counts] == expected
         assert (
             0
             < expected[0]
-            < sum(len(a.errors_px) for a in document.state.sources[0].audits.values())
+            < sum(len(a.errors_px) for a in services.state.sources[0].audits.values())
         )
 
     def test_the_numbers_of_a_frame_are_its_points(self, plotted, qtbot, tmp_path):
         show(plotted, qtbot, VectorsPage, "frame")
         rows = [r for r in numbers(plotted, qtbot, tmp_path / "p.csv") if r["source"] == "bad"]
-        labelling = plotted.document.judge.score.labelling
+        labelling = plotted.services.scorer.score.labelling
         errors = sorted(float(row["error_px"]) for row in rows)
         assert errors == pytest.approx(sorted(labelling.all_distances), abs=2e-3)
         assert {row["frame"] for row in rows} == {"00002"}
@@ -272,12 +272,12 @@ class TestWords:
         window.panels.show("plots")
         qtbot.waitUntil(lambda: "Open a folder" in window.plots.empty.text())
         assert window.plots.empty.isVisible()
-        window.document.opening.open_path(sample)
+        window.services.opening.open_path(sample)
         qtbot.waitUntil(lambda: "Load cameras" in window.plots.empty.text())
         assert not window.plots.more.isEnabled()
 
     def test_a_frame_without_score_says_so(self, plotted, qtbot):
-        plotted.document.walk.go_to(4)  # nothing is annotated
+        plotted.services.navigator.go_to(4)  # nothing is annotated
         for page in (TauPage, HistogramPage, VectorsPage):
             show(plotted, qtbot, page, "frame")
             assert plotted.plots.page.is_empty
@@ -286,14 +286,14 @@ class TestWords:
     def test_hidden_sources_are_not_plotted(self, plotted, qtbot):
         show(plotted, qtbot, TauPage)
         assert "homography" in plotted.plots.legend.text
-        plotted.document.camera_sources.set_source_visible(plotted.document.state.sources[2], False)
+        plotted.services.camera_sources.set_source_visible(plotted.services.state.sources[2], False)
         settle(plotted, qtbot)
         assert "homography" not in plotted.plots.legend.text
 
 
 class TestBlind:
     def test_nothing_of_the_camera_shows_until_a_frame_is_committed(self, plotted, qtbot, tmp_path):
-        plotted.document.blind_lock.set_blind(True)
+        plotted.services.blind_lock.set_blind(True)
         for page in PAGES:
             for scope in ("frame", "set"):
                 show(plotted, qtbot, page, scope)
@@ -301,13 +301,13 @@ class TestBlind:
                 assert "Hidden: blind mode" in plotted.plots.page.empty.text(), (page.title, scope)
                 words = "hidden" if plotted.plots._request.scope == "frame" else "0 committed"
                 assert plotted.plots.legend.text == ", ".join(f"{s} ({words})" for s in SETS)
-        plotted.document.editing.commit_frame()
+        plotted.services.editing.commit_frame()
         show(plotted, qtbot, TimelinePage)
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         assert [row["frame"] for row in rows if row["jac@5 bad"]] == ["00002"]
         show(plotted, qtbot, TauPage, "frame")
         assert not plotted.plots.page.is_empty
-        plotted.document.walk.go_to(2)
+        plotted.services.navigator.go_to(2)
         qtbot.waitUntil(lambda: plotted.plots.page.is_empty)
 
 
@@ -339,7 +339,7 @@ class TestTakingAlong:
         show(plotted, qtbot, HistogramPage)
         show(plotted, qtbot, TimelinePage)
         plotted.plots.choose(HistogramPage.title)
-        with qtbot.waitSignal(plotted.document.store.events.message) as told:
+        with qtbot.waitSignal(plotted.services.store.events.message) as told:
             plotted.plots.save_numbers(tmp_path / "x.csv")
         assert "nothing plotted" in told.args[0].text
         settle(plotted, qtbot)
@@ -347,7 +347,7 @@ class TestTakingAlong:
 
     def test_what_cannot_be_written_is_told(self, plotted, qtbot):
         show(plotted, qtbot, HistogramPage)
-        with qtbot.waitSignal(plotted.document.store.events.message) as told:
+        with qtbot.waitSignal(plotted.services.store.events.message) as told:
             plotted.plots.save_numbers(Path("/proc/no such folder/x.csv"))
         assert told.args[0].level == "error"
         assert "x.csv" in told.args[0].text
@@ -395,8 +395,8 @@ class TestLooks:
 
     def test_pyqtgraph_waits_until_the_plots_are_looked_at(self, make_window, sample, qtbot):
         window = make_window(sample)
-        window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
-        qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
+        window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
+        qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
         all_done(qtbot)
         assert not window.plots._made
         window.panels.show("plots")
@@ -430,7 +430,7 @@ class TestWithoutColour:
     def test_lines_too_dense_for_dashes_have_symbols_here_and_there(self, plotted, qtbot):
         show(plotted, qtbot, TimelinePage)
         page = plotted.plots.page
-        audits = plotted.document.state.active.audits
+        audits = plotted.services.state.active.audits
         names = tuple(f"f{i}" for i in range(3000))
         known = list(audits.values())
         made = {n: replace(known[i % len(known)], frame=n) for i, n in enumerate(names)}

@@ -65,13 +65,13 @@ def bare(annotated) -> Path:
 @pytest.fixture
 def window(make_window, bare, finder, qtbot) -> MainWindow:
     made = make_window(bare)
-    made.document.walk.go_to(1)
+    made.services.navigator.go_to(1)
     all_done(qtbot)
     return made
 
 
 def ghosts(window: MainWindow) -> list[str]:
-    return [ghost.name for ghost in window.document.ghosts.painted]
+    return [ghost.name for ghost in window.services.ghosts.painted]
 
 
 def tones_of(window: MainWindow) -> set[str]:
@@ -107,16 +107,16 @@ class TestAFrameWithoutAnnotation:
         assert plate.geometry().bottom() < window.canvas.viewport().height()
 
     def test_nothing_is_saved_before_somebody_accepts(self, window, bare):
-        window.document.walk.next_frame()
-        window.document.walk.previous_frame()
+        window.services.navigator.next_frame()
+        window.services.navigator.previous_frame()
 
         assert entries(bare) == {}
-        assert [source.name for source in window.document.state.sources] == []
+        assert [source.name for source in window.services.state.sources] == []
 
     def test_unsure_cameras_look_unsure(self, make_window, bare, finder, qtbot):
         finder.state, finder.reason = "unsure", "another camera fits nearly as well"
         window = make_window(bare)
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         all_done(qtbot)
 
         assert tones.UNSURE_GHOST in tones_of(window)
@@ -125,7 +125,7 @@ class TestAFrameWithoutAnnotation:
     def test_without_a_camera_the_reason_is_said(self, make_window, bare, finder, qtbot, hand_on):
         finder.state, finder.reason = "none", "no paint of this field was found"
         window = make_window(bare)
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         all_done(qtbot)
 
         assert ghosts(window) == []
@@ -137,7 +137,7 @@ class TestAFrameWithoutAnnotation:
         assert finder.asked == 1  # the neighbours are annotated
 
         for step in (1, -1, 1, -1):
-            window.document.walk.go_to(1 + max(step, 0))
+            window.services.navigator.go_to(1 + max(step, 0))
             all_done(qtbot)
 
         assert finder.asked == 1
@@ -155,18 +155,18 @@ class TestAFrameWithoutAnnotation:
         window = make_window(bare)
         all_done(qtbot)
 
-        assert not window.document.proposals.working
+        assert not window.services.proposals.working
         assert not window.canvas.found_plate.isVisible()
         assert finder.asked == 2
 
     def test_leaving_the_frame_stops_the_search(self, make_window, bare, finder, qtbot):
         finder.wait = Event()
         window = make_window(bare)
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         qtbot.waitUntil(lambda: finder.asked == 1)
         assert window.canvas.found_plate.text.startswith("Looking for the camera")
 
-        window.document.walk.go_to(2)
+        window.services.navigator.go_to(2)
         all_done(qtbot)  # it would wait for ever
 
         assert not window.canvas.found_plate.isVisible()
@@ -177,41 +177,41 @@ class TestAccepting:
         self, window, bare, hand_on, qtbot
     ):
         hand: Hand = hand_on(window)
-        document = window.document
+        services = window.services
 
         hand.key(Key.Key_Return, SHIFT)
         all_done(qtbot)
 
         assert len(entries(bare)) > 5
-        counts = document.review.origin_counts("00002", document.state.annotation)
+        counts = services.review.origin_counts("00002", services.state.annotation)
         assert set(counts) == {OriginKind.ACCEPTED}
-        assert document.live_fit.result.camera is not None
+        assert services.live_fit.result.camera is not None
         assert not window.canvas.found_plate.isVisible()
-        document.editing.undo()
+        services.editing.undo()
         all_done(qtbot)
         assert entries(bare) == {}
         assert window.canvas.found_plate.isVisible()
 
     def test_one_by_one_the_others_stay_while_the_clicks_know_fewer(self, window, hand_on, qtbot):
         hand: Hand = hand_on(window)
-        document = window.document
+        services = window.services
         left = set(ghosts(window))
 
         hand.key(Key.Key_Tab)
         while len(left) > 2:
-            current = document.ghosts.current  # the walk goes on
+            current = services.ghosts.current  # the walk goes on
             all_done(qtbot)
             hand.key(Key.Key_Return)
             all_done(qtbot)
             left.remove(current.name)
-            assert current.name in document.state.annotation.annotated
+            assert current.name in services.state.annotation.annotated
             assert set(ghosts(window)) == left
-        assert not document.foresight.stands_in
+        assert not services.prediction.stands_in
 
     def test_not_visible_here(self, window, hand_on, qtbot):
         hand: Hand = hand_on(window)
         hand.key(Key.Key_Tab)
-        current = window.document.ghosts.current
+        current = window.services.ghosts.current
         hand.key(Key.Key_Period)
         all_done(qtbot)
 
@@ -220,26 +220,26 @@ class TestAccepting:
     def test_clicks_that_contradict_the_camera_take_its_ghosts_away(self, window, hand_on, qtbot):
         hand: Hand = hand_on(window)
         name = ghosts(window)[0]
-        height = (window.document.state.picture_size or (0, 0))[1]
+        height = (window.services.state.picture_size or (0, 0))[1]
 
         hand.draw(name, (10, height - 12), (40, height - 40))
         all_done(qtbot)
 
-        assert not window.document.foresight.stands_in
+        assert not window.services.prediction.stands_in
         assert ghosts(window) == []
 
 
 class TestOff:
     def test_in_blind_mode(self, make_window, bare, finder, qtbot):
         window = make_window(bare)
-        window.document.blind_lock.set_blind(True)
-        window.document.walk.go_to(1)
+        window.services.blind_lock.set_blind(True)
+        window.services.navigator.go_to(1)
         all_done(qtbot)
 
         assert finder.asked == 0
         assert ghosts(window) == []
         assert not window.canvas.found_plate.isVisible()
-        window.document.blind_lock.set_blind(False)
+        window.services.blind_lock.set_blind(False)
         all_done(qtbot)
         assert ghosts(window)
 
@@ -255,7 +255,7 @@ class TestOff:
         assert finder.asked == 1
 
     def test_the_live_fit_may_be_off(self, window, qtbot):
-        window.document.live_fit.set_wanted(False)
+        window.services.live_fit.set_wanted(False)
         all_done(qtbot)
 
         assert ghosts(window)

@@ -17,8 +17,8 @@ def test_points_of_annotate_are_proposed(make_window, qtbot, sample_data, tmp_pa
     arguments = ["annotate", match, match / "annotations", "--cameras", cameras]
     assert CliRunner().invoke(app, [str(argument) for argument in arguments]).exit_code == 0
     window = make_window(match)
-    document = window.document
-    counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
+    services = window.services
+    counts = services.review.origin_counts(services.state.frame.name, services.state.annotation)
     assert set(counts) == {OriginKind.PROPOSED}
     assert counts[OriginKind.PROPOSED] > 20
     window.panels.show("review")

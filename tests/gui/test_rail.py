@@ -27,20 +27,20 @@ def test_buttons_do_what_the_keys_do_and_say_which(window, hand, qtbot):
     assert buttons["redo"].key_text() == "Ctrl+Y"
     assert buttons["draw_mode"].isChecked()
     press(buttons["edit_mode"])
-    assert window.document.state.mode == "edit"
+    assert window.services.state.mode == "edit"
     hand.key(Qt.Key.Key_W)
     assert buttons["draw_mode"].isChecked()
     assert not buttons["edit_mode"].isChecked()
     hand.draw("Middle line", (100, 50), (120, 200))
     qtbot.waitUntil(lambda: "Undo: " in buttons["undo"].toolTip())  # once the line is painted
     press(buttons["undo"])
-    assert window.document.state.annotation.get("Middle line") is None
+    assert window.services.state.annotation.get("Middle line") is None
 
 
 def test_pan_moves_the_picture_until_esc(window, hand, qtbot):
     canvas, pan = window.canvas, window.side_bar.buttons["pan"]
     canvas.set_scale(4.0)
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     press(pan)
     assert window.status.hint.text().startswith("PAN")
     before = hand.at(320, 180)
@@ -76,11 +76,11 @@ def test_every_icon_is_drawn_in_one_style():
 def test_the_camera_has_room_only_once_there_is_one(window, tmp_path):
     bar = window.top_bar
     assert not bar.camera_bar.isVisible()
-    assert bar.chip.words() == f"dataset · {window.document.state.field.title}"
+    assert bar.chip.words() == f"dataset · {window.services.state.field.title}"
     assert bar.chip.menu() is window.actions_.menus["File/Field"]
     (tmp_path / "cameras").mkdir()
     np.save(tmp_path / "cameras" / "frame_0.npy", np.eye(3))
-    window.document.camera_sources.load_cameras(tmp_path / "cameras")
+    window.services.camera_sources.load_cameras(tmp_path / "cameras")
     assert bar.camera_bar.isVisible()
 
 

@@ -58,14 +58,14 @@ class Player:
 
     def __init__(self, window: MainWindow, hand: Hand, seed: int) -> None:
         self.window, self.hand = window, hand
-        self.document = window.document
+        self.services = window.services
         self.random = random.Random(seed)
         self.frames = [FrameModel() for _ in range(FRAMES)]
         self.log: list[str] = []
 
     @property
     def model(self) -> FrameModel:
-        return self.frames[self.document.state.frame_index]
+        return self.frames[self.services.state.frame_index]
 
     def play(self) -> None:
         actions = (
@@ -77,7 +77,7 @@ class Player:
             action = self.random.choice(actions)
             self.log.append(action.__name__)
             action()
-            assert_same(in_px(self.document.state.annotation), self.model.now, " ".join(self.log))
+            assert_same(in_px(self.services.state.annotation), self.model.now, " ".join(self.log))
 
     # --- actions --------------------------------------------------------------------------
 
@@ -96,7 +96,7 @@ class Player:
         model = self.model
         if points is not None:
             model.changed(name, points)
-        self.document.walk.go_to((self.document.state.frame_index + 1) % FRAMES)
+        self.services.navigator.go_to((self.services.state.frame_index + 1) % FRAMES)
 
     def give_up(self) -> None:
         _, points = self.click_some()
@@ -105,12 +105,12 @@ class Player:
 
     def click_some(self, least: int = 1) -> tuple[str, list[XY] | None]:
         """Click a few points, sometimes one too many and back; the element's points afterwards."""
-        self.document.selecting.set_mode("draw")
+        self.services.selection.set_mode("draw")
         name = self.random.choice(CLASSES)
         cells = self.free_cells()
         if len(cells) < 6:
             return name, None
-        self.document.selecting.select_class(name, continues=True)
+        self.services.selection.select_class(name, continues=True)
         clicked = [self.hand.click(*cells.pop()) for _ in range(self.random.randint(least, 4))]
         if self.random.random() < 0.3:
             self.hand.click(*cells.pop())
@@ -122,7 +122,7 @@ class Player:
         if target is None or not cells:
             return
         name, index = target
-        self.document.selecting.select_point(None)  # or all chosen points would come along
+        self.services.selection.select_point(None)  # or all chosen points would come along
         begin, end = self.model.now[name][index], cells.pop()
         self.hand.drag(begin, end)
         pressed, released = self.hand.picture(*begin), self.hand.picture(*end)
@@ -155,9 +155,9 @@ class Player:
     def delete_element(self) -> None:
         name = self.any_element()
         if name is not None:
-            self.document.selecting.set_mode("edit")
-            self.document.selecting.select_class(name)
-            self.document.selecting.select_point(None)
+            self.services.selection.set_mode("edit")
+            self.services.selection.select_class(name)
+            self.services.selection.select_point(None)
             self.hand.key(Qt.Key.Key_Delete, CTRL)
             self.model.changed(name, [])
 
@@ -177,9 +177,9 @@ class Player:
         name = self.any_element()
         if name is None:
             return
-        self.document.selecting.set_mode("edit")
-        self.document.selecting.select_point(None)
-        self.document.selecting.select_class(name)
+        self.services.selection.set_mode("edit")
+        self.services.selection.select_point(None)
+        self.services.selection.select_class(name)
         self.hand.key(Qt.Key.Key_A, CTRL)
         self.hand.key(Qt.Key.Key_Down, SHIFT)
         self.model.changed(name, [(x, y + 0.1) for x, y in self.model.now[name]])
@@ -187,7 +187,7 @@ class Player:
     def reverse(self) -> None:
         name = self.any_element()
         if name is not None:
-            self.document.selecting.select_class(name)
+            self.services.selection.select_class(name)
             self.hand.key(Qt.Key.Key_R, CTRL)
             self.model.changed(name, self.model.now[name][::-1])
 
@@ -196,7 +196,7 @@ class Player:
         if name is None:
             return
         new = self.random.choice([c for c in CLASSES if c != name])
-        self.document.selecting.select_class(name)
+        self.services.selection.select_class(name)
         self.window.element_edits.change_class(new)
         now = self.model.now
         swapped = {new if n == name else name if n == new else n: p for n, p in now.items()}
@@ -211,7 +211,7 @@ class Player:
         self.model.at = min(len(self.model.states) - 1, self.model.at + 1)
 
     def go(self) -> None:
-        self.document.walk.go_to(self.random.randrange(FRAMES))
+        self.services.navigator.go_to(self.random.randrange(FRAMES))
 
     # --- choosing -------------------------------------------------------------------------
 
@@ -220,7 +220,7 @@ class Player:
         return self.random.choice(names) if names else None
 
     def any_point(self) -> tuple[str, int] | None:
-        self.document.selecting.set_mode("edit")
+        self.services.selection.set_mode("edit")
         now = self.model.now
         every = [(n, i) for n in sorted(now) for i in range(len(now[n]))]
         places = [now[n][i] for n, i in every]
@@ -233,7 +233,7 @@ class Player:
 
     def any_segment(self) -> tuple[str, int, XY] | None:
         """The middle of a segment that lies far from every point and from other segments."""
-        self.document.selecting.set_mode("edit")
+        self.services.selection.set_mode("edit")
         now = self.model.now
         segments = [(n, i) for n in sorted(now) for i in range(len(now[n]) - 1)]
         self.random.shuffle(segments)
@@ -311,19 +311,19 @@ def test_any_sequence_of_actions_ends_as_the_model_says(make_window, hand_on, tm
         assert window.opening.open_path(folder)
         player = Player(window, hand, seed)
         player.play()
-        window.document.editing.save_now()
+        window.services.editing.save_now()
         why = f"sequence {seed}: {' '.join(player.log)}"
         for i, model in enumerate(player.frames):
             assert_same(on_disk(folder / f"{i}.json"), model.now, why)
         for i, model in enumerate(player.frames):
-            window.document.walk.go_to(i)
+            window.services.navigator.go_to(i)
             while model.at > 0:
                 player.undo()
-            assert window.document.state.annotation == FrameAnnotation(), why
-            window.document.editing.save_now()
+            assert window.services.state.annotation == FrameAnnotation(), why
+            window.services.editing.save_now()
             assert on_disk(folder / f"{i}.json") == {}, why
             for _ in model.states:
                 player.redo()
-            assert_same(in_px(window.document.state.annotation), model.now, why)
-            window.document.editing.save_now()
+            assert_same(in_px(window.services.state.annotation), model.now, why)
+            window.services.editing.save_now()
             assert_same(on_disk(folder / f"{i}.json"), model.now, why)

@@ -27,13 +27,13 @@ def test_another_place_is_a_click_away(window, hand, tmp_path, qtbot, monkeypatc
 
 
 def test_what_is_not_saved_can_be_saved_again(window):
-    bar, store = window.message_bar, window.document.store
+    bar, store = window.message_bar, window.services.store
     notify(store, UNSAVED, "frame_0.json: could not be saved", "error", remedy="save")
     assert bar.remedy.isVisible()
     assert bar.remedy.text() == "Save again"
     withdraw(store, UNSAVED)
     assert not bar.isVisible()
-    window.document.say("something else", "warning")
+    window.services.say("something else", "warning")
     assert bar.isVisible()
     assert not bar.remedy.isVisible()
 
@@ -41,7 +41,7 @@ def test_what_is_not_saved_can_be_saved_again(window):
 def test_a_damaged_file_is_told_of_once(make_window, dataset):
     (dataset / "frame_1.json").write_text('{"Middle')
     window = make_window(dataset)
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     assert "frame_1.json" in window.frame_bar.label.text()
     for name in ("undo", "close_gaps", "commit"):
         window.actions_[name].trigger()

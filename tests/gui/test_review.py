@@ -21,12 +21,12 @@ MIDDLE, TOP = "Middle line", "Side line top"
 
 
 def status(window: MainWindow, frame: int = 0) -> Status:
-    return window.document.review.status(f"frame_{frame}")
+    return window.services.review.status(f"frame_{frame}")
 
 
 def rows(window: MainWindow) -> list[str]:
     model = window.frames.model
-    return [window.document.state.workspace.frames[model.frame_index(r)].name
+    return [window.services.state.workspace.frames[model.frame_index(r)].name
             for r in range(model.rowCount())]  # fmt: skip
 
 
@@ -53,42 +53,42 @@ class TestStatus:
         assert window.top_bar.status.text() == "done"
 
     def test_shift_d_goes_on_to_what_is_not_done(self, window, hand):
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         hand.key(Qt.Key.Key_Return, CTRL)
-        window.document.walk.go_to(0)
+        window.services.navigator.go_to(0)
         hand.key(Qt.Key.Key_D, SHIFT)
-        assert window.document.state.frame_index == 2
+        assert window.services.state.frame_index == 2
         hand.key(Qt.Key.Key_A, SHIFT)
-        assert window.document.state.frame_index == 0
+        assert window.services.state.frame_index == 0
 
     def test_a_rejected_frame_is_found_and_editing_it_reopens_it(self, window, hand):
-        window.document.walk.go_to(2)
+        window.services.navigator.go_to(2)
         hand.key(Qt.Key.Key_X, CTRL | SHIFT)
         assert status(window, 2) is Status.REJECTED
-        window.document.walk.go_to(0)
+        window.services.navigator.go_to(0)
         hand.key(Qt.Key.Key_R, CTRL | SHIFT)
-        assert window.document.state.frame_index == 2
+        assert window.services.state.frame_index == 2
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert status(window, 2) is Status.IN_PROGRESS
 
     def test_status_and_place_are_there_after_a_restart(self, window, hand, make_window, dataset):
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         hand.key(Qt.Key.Key_A, CTRL | SHIFT)
         window.close()
         again = make_window(dataset)
         assert status(again, 1) is Status.APPROVED
-        assert again.document.state.frame_index == 1
+        assert again.services.state.frame_index == 1
 
     def test_undoing_a_slip_gives_an_approved_frame_back(self, window, hand):
         hand.draw(MIDDLE, (100, 100), (200, 200))
-        window.document.review.set_status("frame_0", Status.APPROVED)
+        window.services.review.set_status("frame_0", Status.APPROVED)
         hand.key(Qt.Key.Key_W)
         hand.drag((100, 100), (120, 130))
-        assert window.document.review.status("frame_0") is Status.IN_PROGRESS
+        assert window.services.review.status("frame_0") is Status.IN_PROGRESS
         hand.key(Qt.Key.Key_Z, CTRL)
-        assert window.document.review.status("frame_0") is Status.APPROVED
+        assert window.services.review.status("frame_0") is Status.APPROVED
         hand.key(Qt.Key.Key_Z, CTRL)  # further back than what was approved
-        assert window.document.review.status("frame_0") is Status.IN_PROGRESS
+        assert window.services.review.status("frame_0") is Status.IN_PROGRESS
 
     def test_the_panel_gives_a_status_too(self, window):
         window.panels.show("review")
@@ -99,17 +99,17 @@ class TestStatus:
 
 class TestComments:
     def test_a_comment_has_author_and_time_and_can_be_settled(self, window, hand, qtbot):
-        window.document.set_author("Ada")
+        window.services.set_author("Ada")
         hand.key(Qt.Key.Key_M, CTRL)
         qtbot.keyClicks(window.review.text, "left post is hidden")
         qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
-        (comment,) = window.document.review.comments("frame_0")
+        (comment,) = window.services.review.comments("frame_0")
         assert (comment.author, comment.text) == ("Ada", "left post is hidden")
         qtbot.waitUntil(lambda: window.review.comments.count() == 1)
         item = window.review.comments.item(0)
         assert "Ada" in item.text()
         item.setCheckState(Qt.CheckState.Checked)
-        (settled,) = window.document.review.comments("frame_0")
+        (settled,) = window.services.review.comments("frame_0")
         assert settled.resolved
 
     def test_escape_gives_the_keyboard_back(self, window, hand):
@@ -119,21 +119,21 @@ class TestComments:
         assert window.canvas.hasFocus()
 
     def test_writing_a_comment_finishes_no_polyline(self, window, hand, qtbot):
-        window.document.selecting.select_class(MIDDLE)
+        window.services.selection.select_class(MIDDLE)
         hand.click(100, 100)
         window.panels.show("review")
         window.review.focus_comment()
         qtbot.keyClicks(window.review.text, "d")
         qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
         assert window.canvas.editor.drawing
-        assert window.document.state.frame_index == 0
+        assert window.services.state.frame_index == 0
 
 
 class TestFilter:
     def test_states_elements_and_numbers_combine(self, window, hand, qtbot):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         hand.draw(TOP, (100, 100), (200, 200))
         for text, expected in (
             ("state:done", ["frame_0"]),
@@ -166,15 +166,15 @@ class TestVersions:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         first = (dataset / "frame_0.json").read_bytes()
         hand.draw(TOP, (100, 50), (200, 50))
-        database = window.document.review.database
+        database = window.services.review.database
         versions = database.versions("frame_0")
         assert [v.reason for v in versions] == ["draw Far touchline", "draw Halfway line"]
-        apply_version(window.document, versions[-1].id)
-        assert window.document.state.annotation.annotated == (MIDDLE,)
+        apply_version(window.services, versions[-1].id)
+        assert window.services.state.annotation.annotated == (MIDDLE,)
         until_kept()
         assert (dataset / "frame_0.json").read_bytes() == first
-        window.document.editing.undo()
-        assert window.document.state.annotation.annotated == (MIDDLE, TOP)
+        window.services.editing.undo()
+        assert window.services.state.annotation.annotated == (MIDDLE, TOP)
 
     def test_what_was_there_before_the_first_edit_is_a_version_too(
         self, make_window, dataset, hand_on
@@ -183,13 +183,13 @@ class TestVersions:
         (dataset / "frame_0.json").write_bytes(found)
         window = make_window(dataset)
         hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
-        database = window.document.review.database
+        database = window.services.review.database
         assert database.version_data(database.versions("frame_0")[-1].id) == found
 
 
 class TestProvenance:
     def test_it_is_exported_point_by_point(self, window, hand, tmp_path, qtbot):
-        window.document.set_author("Ada")
+        window.services.set_author("Ada")
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_W)
         hand.drag((200, 200), (240, 260))
@@ -206,13 +206,13 @@ class TestProvenance:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_W)
         hand.drag((200, 200), (240, 260))
-        document = window.document
-        assert document.review.origin_counts("frame_0", document.state.annotation) == {
+        services = window.services
+        assert services.review.origin_counts("frame_0", services.state.annotation) == {
             OriginKind.CLICKED: 1,
             OriginKind.MOVED: 1,
         }
-        document.editing.undo()
-        assert document.review.origin_counts("frame_0", document.state.annotation) == {
+        services.editing.undo()
+        assert services.review.origin_counts("frame_0", services.state.annotation) == {
             OriginKind.CLICKED: 2
         }
 
@@ -227,14 +227,14 @@ class TestTime:
     def test_the_panel_and_the_overview_count_the_time_of_the_frame_under_way(
         self, window, hand, monkeypatch, qtbot
     ):
-        document, now = window.document, [1000.0]
-        monkeypatch.setattr(document.review, "_clock", lambda: now[0])
-        document.walk.go_to(1)
+        services, now = window.services, [1000.0]
+        monkeypatch.setattr(services.review, "_clock", lambda: now[0])
+        services.navigator.go_to(1)
         now[0] += 12.0
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
-        name = document.state.frame.name if document.state.frame is not None else ""
-        assert document.review.record(name).seconds == 12.0
+        name = services.state.frame.name if services.state.frame is not None else ""
+        assert services.review.record(name).seconds == 12.0
         window.panels.show("review")
         qtbot.waitUntil(lambda: window.review.time.text() == "12 s")
 
@@ -243,9 +243,9 @@ class TestOverview:
     def test_it_counts_statuses_classes_and_time(self, window, hand):
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
-        document = window.document
-        assert document.state.workspace is not None
-        workspace, database = document.state.workspace, document.review.database
+        services = window.services
+        assert services.state.workspace is not None
+        workspace, database = services.state.workspace, services.review.database
         found = overview_rows(workspace, database, {}, lambda *_: None)
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
@@ -259,7 +259,7 @@ class TestOverview:
 
     def test_a_file_that_cannot_be_written_is_one_message(self, window, tmp_path, qtbot):
         target = tmp_path / "gone" / "overview.csv"
-        said = window.document.store.events.message
+        said = window.services.store.events.message
         with qtbot.waitSignal(said, check_params_cb=lambda m: str(target) in m.text):
             window.exporter.write_overview(target)
 
@@ -277,10 +277,10 @@ class TestSecondAnnotator:
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.panels.show("agreement")
         window.agreement.open(other)
-        qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
+        qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
-        (clicked,) = window.document.state.annotation.polylines
+        (clicked,) = window.services.state.annotation.polylines
         apart = (clicked.points[0].v - 100 / 359) * 539  # in px of the evaluation size
         assert table.model().index(0, 1).data() == f"{apart:.2f} px"
         assert "Only there" in window.agreement.frame.text()
@@ -317,12 +317,12 @@ class TestSecondAnnotator:
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
         assert "Human noise over 1 frame:" in panel.noise.text()
         assert "frame_1.json" in panel.noise.toolTip()
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         qtbot.waitUntil(lambda: "unreadable" in panel.frame.text())
         assert "frame_1.json" in panel.frame.text()
-        window.document.walk.go_to(2)
+        window.services.navigator.go_to(2)
         qtbot.waitUntil(lambda: "has nothing for this frame" in panel.frame.text())
-        window.document.walk.go_to(0)
+        window.services.navigator.go_to(0)
         qtbot.waitUntil(lambda: "JaC" in panel.frame.text())
 
     @pytest.mark.new_window  # its panel is not in it any more afterwards
@@ -358,22 +358,22 @@ class TestSecondAnnotator:
         before = file.read_bytes()
         (folder / "labels.toml").write_text(f'[labels]\n"centre" = "{MIDDLE}"\n')
         window.agreement.open(folder)
-        assert not window.document.second.is_open  # it is read in the background
+        assert not window.services.second_annotator.is_open  # it is read in the background
         all_done(qtbot)
         table = window.agreement.table
         assert table.model().rowCount() == 1
         assert table.model().index(0, 0).data() == "Halfway line"
         assert "read as labelme" in window.status.hint.text_for(2000)
-        assert window.document.state.noise_floor is not None
+        assert window.services.state.noise_floor is not None
         assert file.read_bytes() == before
 
     def test_closing_it_takes_everything_away(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.agreement.open(other)
-        qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
-        window.document.second.close()
-        qtbot.waitUntil(lambda: window.document.state.noise_floor is None)
-        assert window.document.second.annotation is None
+        qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
+        window.services.second_annotator.close()
+        qtbot.waitUntil(lambda: window.services.state.noise_floor is None)
+        assert window.services.second_annotator.annotation is None
 
     def test_a_folder_without_annotations_is_one_message(self, window, tmp_path, qtbot):
         empty = tmp_path / "empty"
@@ -393,13 +393,13 @@ class TestDatabase:
         window.close()
         (dataset / ".procc" / "workspace.db").write_bytes(b"not a database at all" * 50)
         again = make_window(dataset)
-        assert again.document.state.annotation.annotated == (MIDDLE,)
+        assert again.services.state.annotation.annotated == (MIDDLE,)
         assert "restored from the backup of 20" in again.message_bar.label.text()
         assert status(again) is Status.IN_PROGRESS
         (dataset / ".procc" / "workspace.db").write_bytes(b"")  # while the window has it open
-        again.document.review.set_status("frame_1", Status.DONE)
-        assert again.document.review.database.flush(20)
-        again.document.review.poll()
+        again.services.review.set_status("frame_1", Status.DONE)
+        assert again.services.review.database.flush(20)
+        again.services.review.poll()
         assert "damaged-2; restored from" in again.message_bar.label.text()
         assert [status(again, i) for i in (0, 1)] == [Status.IN_PROGRESS, Status.DONE]
 
@@ -427,7 +427,7 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(window, qt
         return ask(self, frame)
 
     monkeypatch.setattr(WorkspaceDatabase, "_ask_origins", watched)
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     all_done(qtbot)
     assert "frame_1" not in asked  # it was asked for while frame_0 was on screen
-    assert "frame_1" in window.document.review._origins
+    assert "frame_1" in window.services.review._origins

@@ -28,12 +28,12 @@ def test_a_sample_opens_with_its_field(
     for source in ("true", "late"):
         shutil.copytree(sample_data / folder / "cameras" / source, dataset / "cameras" / source)
     window = make_window(dataset)
-    document = window.document
-    assert document.state.field.name == field
-    assert document.state.annotation.get(element) is not None
-    document.camera_sources.load_cameras(dataset / "cameras" / "true")
-    qtbot.waitUntil(lambda: document.judge.score is not None)
-    assert document.judge.score.jac == 1.0
-    document.camera_sources.load_cameras(dataset / "cameras" / "late")
-    qtbot.waitUntil(lambda: document.state.active.name == "late")
-    assert document.judge.score.jac < 0.5
+    services = window.services
+    assert services.state.field.name == field
+    assert services.state.annotation.get(element) is not None
+    services.camera_sources.load_cameras(dataset / "cameras" / "true")
+    qtbot.waitUntil(lambda: services.scorer.score is not None)
+    assert services.scorer.score.jac == 1.0
+    services.camera_sources.load_cameras(dataset / "cameras" / "late")
+    qtbot.waitUntil(lambda: services.state.active.name == "late")
+    assert services.scorer.score.jac < 0.5

@@ -44,28 +44,28 @@ def test_a_finished_edit_is_on_disk_before_anything_else_happens(window, hand, s
 
 def test_a_failed_save_is_visible_told_once_and_tried_again(window, hand, disk, saved, qtbot):
     disk.full = True
-    told = heard(window.document)
+    told = heard(window.services)
     hand.draw(MIDDLE, (100, 50), (120, 200))
     assert window.isWindowModified()
     assert "NOT SAVED" in window.top_bar.saved.text()
     assert window.message_bar.isVisible()
     assert "No space left" in window.message_bar.label.text()
-    window.document.saver.retry_timer.setInterval(1)
-    with qtbot.waitSignal(window.document.saver.retry_timer.timeout):
+    window.services.saver.retry_timer.setInterval(1)
+    with qtbot.waitSignal(window.services.saver.retry_timer.timeout):
         pass
     assert sum("No space left" in text for text in told) == 1
-    assert len(window.document.state.annotation.annotated) == 1
+    assert len(window.services.state.annotation.annotated) == 1
     disk.full = False
     qtbot.waitUntil(lambda: not window.isWindowModified())
     assert len(saved()) == 2
     assert not window.message_bar.isVisible()
-    assert not window.document.saver.retry_timer.isActive()
+    assert not window.services.saver.retry_timer.isActive()
 
 
 def test_what_is_not_saved_stays_in_sight_when_more_fails(window, hand, disk):
     disk.full = True
     hand.draw(MIDDLE, (100, 50), (120, 200))
-    window.document.review.failed.emit("workspace.db: cannot be written")  # the same full disk
+    window.services.review.failed.emit("workspace.db: cannot be written")  # the same full disk
     shown = window.message_bar.label.text()
     assert "No space left" in shown
     assert "workspace.db" in shown
@@ -103,13 +103,13 @@ def test_a_file_changed_outside_waits_for_a_decision(window, hand, dataset, save
     if mine:
         assert set(json.loads(file.read_text())) == {MIDDLE, "Goal left crossbar"}
     else:
-        assert window.document.state.annotation.annotated == ("Side line top",)
+        assert window.services.state.annotation.annotated == ("Side line top",)
         hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-        assert window.document.state.annotation.annotated == (MIDDLE, "Goal left crossbar")
+        assert window.services.state.annotation.annotated == (MIDDLE, "Goal left crossbar")
 
 
 def test_closing_finishes_a_draft_and_saves_it(window, hand, saved):
-    window.document.selecting.select_class(MIDDLE)
+    window.services.selection.select_class(MIDDLE)
     hand.click(100, 50)
     hand.click(120, 200)
     assert window.close()
@@ -138,7 +138,7 @@ def test_what_a_decision_overwrites_stays_a_version(window, hand, dataset):
     (dataset / "frame_0.json").write_text(theirs)
     hand.draw("Goal left crossbar", (10, 10), (20, 20))
     window.conflict_bar.overwrite_button.click()
-    database = window.document.review.database
+    database = window.services.review.database
     newest, before, *_ = database.versions("frame_0")
     assert database.version_data(before.id) == theirs.encode()
     assert database.version_data(newest.id) == (dataset / "frame_0.json").read_bytes()
@@ -150,14 +150,14 @@ def test_undo_to_what_was_saved_last_decides_no_conflict(window, hand, dataset, 
     mine = file.read_bytes()
     file.write_text('{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}')
     hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.document.editing.undo()
-    assert window.document.state.annotation.annotated == (MIDDLE,)
+    window.services.editing.undo()
+    assert window.services.state.annotation.annotated == (MIDDLE,)
     assert window.conflict_bar.isVisible()  # the file is another one
     assert "NOT SAVED" in window.top_bar.saved.text()
-    window.document.editing.redo()
+    window.services.editing.redo()
     until_kept()
     file.write_bytes(mine)  # whoever changed it took that back
-    window.document.editing.undo()
+    window.services.editing.undo()
     until_kept()
     assert not window.conflict_bar.isVisible()
     assert window.top_bar.saved.text().startswith("saved ")
@@ -168,10 +168,10 @@ def test_a_newer_file_that_is_read_leaves_no_conflict_behind(window, hand, datas
     theirs = '{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}'
     (dataset / "frame_0.json").write_text(theirs)
     hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.document.editing.undo()
+    window.services.editing.undo()
     hand.key(Qt.Key.Key_D)
     hand.key(Qt.Key.Key_A)
-    assert window.document.editing.begin_edit()  # the frame was let go of: its file is read again
-    assert window.document.state.annotation.annotated == ("Side line top",)
+    assert window.services.editing.begin_edit()  # the frame was let go of: its file is read again
+    assert window.services.state.annotation.annotated == ("Side line top",)
     assert not window.conflict_bar.isVisible()
     assert not window.isWindowModified()

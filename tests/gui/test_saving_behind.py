@@ -69,14 +69,14 @@ def disk(monkeypatch) -> Iterator[SlowDisk]:
 
 def click(window: MainWindow, class_name: str = MIDDLE) -> None:
     """One more point of an element."""
-    document = window.document
+    services = window.services
     points = (
-        0 if (known := document.state.annotation.get(class_name)) is None else len(known.points)
+        0 if (known := services.state.annotation.get(class_name)) is None else len(known.points)
     )
     edited = editing.append_points(
-        document.state.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)]
+        services.state.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)]
     )
-    assert document.editing.commit_edit("click", edited)
+    assert services.editing.commit_edit("click", edited)
 
 
 def points_on_disk(dataset: Path, frame: int = 0) -> dict[str, int]:
@@ -105,12 +105,12 @@ def test_what_is_clicked_meanwhile_is_saved_on_the_result(window, disk, dataset,
     qtbot.waitUntil(disk.asked.is_set)
     click(window, TOP)
     click(window, TOP)
-    assert window.document.state.annotation.annotated == (MIDDLE, TOP)
+    assert window.services.state.annotation.annotated == (MIDDLE, TOP)
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert disk.written == [(MIDDLE,), (MIDDLE, TOP)]
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 2}
-    assert not window.document.saver.problems
+    assert not window.services.saver.problems
 
 
 def test_an_undo_meanwhile_is_saved_too(window, disk, dataset, qtbot):
@@ -120,12 +120,12 @@ def test_an_undo_meanwhile_is_saved_too(window, disk, dataset, qtbot):
     disk.hold()
     click(window, TOP)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.editing.undo()  # to what the file holds, if only it were left alone
+    window.services.editing.undo()  # to what the file holds, if only it were left alone
     assert window.top_bar.saved.text() == "saving..."
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert points_on_disk(dataset) == {MIDDLE: 1}
-    window.document.editing.undo()
+    window.services.editing.undo()
     until_kept()
     assert not (dataset / "frame_0.json").exists()
 
@@ -133,11 +133,11 @@ def test_an_undo_meanwhile_is_saved_too(window, disk, dataset, qtbot):
 def test_a_first_click_taken_back_while_it_is_written_leaves_no_file(window, disk, dataset, qtbot):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.editing.undo()
+    window.services.editing.undo()
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert not (dataset / "frame_0.json").exists()
-    assert not window.document.state.counts
+    assert not window.services.state.counts
 
 
 @pytest.mark.parametrize("problem", ["No space left on device", "Permission denied"])
@@ -148,12 +148,12 @@ def test_what_the_disk_refuses_is_told_kept_and_tried_again(window, disk, datase
     click(window, TOP)
     disk.let_go()
     qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
-    qtbot.waitUntil(lambda: not window.document.saver.under_way)
+    qtbot.waitUntil(lambda: not window.services.saver.under_way)
     assert problem in window.message_bar.label.text()
     assert window.isWindowModified()
-    assert window.document.state.annotation.annotated == (MIDDLE, TOP)
+    assert window.services.state.annotation.annotated == (MIDDLE, TOP)
     disk.problem = ""
-    window.document.saver.retry_timer.setInterval(1)
+    window.services.saver.retry_timer.setInterval(1)
     qtbot.waitUntil(lambda: reads_saved(window))
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 1}
     assert not window.isWindowModified()
@@ -163,10 +163,10 @@ def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(window, dis
     disk.problem = "No space left on device"
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.editing.undo()
+    window.services.editing.undo()
     disk.let_go()
-    qtbot.waitUntil(lambda: not window.document.saver.under_way)
-    assert not window.document.saver.problems
+    qtbot.waitUntil(lambda: not window.services.saver.under_way)
+    assert not window.services.saver.problems
     assert not window.isWindowModified()
     assert not (dataset / "frame_0.json").exists()
 
@@ -203,7 +203,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     disk.after = goes_away
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.editing.undo()
+    window.services.editing.undo()
     disk.let_go()
     qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
     assert window.isWindowModified()
@@ -211,7 +211,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     disk.problem_after = ""
     disk.after = lambda: None
     monkeypatch.setattr(saving, "read_optional", look)
-    window.document.saver.retry_timer.setInterval(1)
+    window.services.saver.retry_timer.setInterval(1)
     qtbot.waitUntil(lambda: reads_saved(window))
     assert not window.isWindowModified()
     assert points_on_disk(dataset) == ({MIDDLE: 1} if clicks_before else {})
@@ -256,8 +256,8 @@ def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(window, di
     until_kept()
     disk.hold()
     disk.problem = ""
-    window.document.saver.retry()
-    assert window.document.saver.under_way
+    window.services.saver.retry()
+    assert window.services.saver.under_way
     qtbot.waitUntil(disk.asked.is_set)
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
@@ -265,21 +265,21 @@ def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(window, di
 
 
 def test_what_is_being_written_is_nobody_elses_change(window, disk, dataset, qtbot):
-    told = heard(window.document)
+    told = heard(window.services)
     disk.let_go()
     click(window)
     until_kept()
     disk.hold()
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.editing.undo()
-    window.document.editing.look_at_frame()
-    window.document.outside.look()
+    window.services.editing.undo()
+    window.services.editing.look_at_frame()
+    window.services.outside_changes.look()
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
-    window.document.editing.look_at_frame()
+    window.services.editing.look_at_frame()
     assert not any("elsewhere" in text for text in told)
-    assert window.document.state.annotation.get(MIDDLE) is not None
+    assert window.services.state.annotation.get(MIDDLE) is not None
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
@@ -287,10 +287,10 @@ def test_what_others_write_right_after_it_is_seen(window, disk, dataset, qtbot):
     """A look that was asked for while it was written is taken once it is."""
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.editing.look_at_frame()
-    window.document.saver.saved.connect(lambda: (dataset / "frame_0.json").write_text(THEIRS))
+    window.services.editing.look_at_frame()
+    window.services.saver.saved.connect(lambda: (dataset / "frame_0.json").write_text(THEIRS))
     disk.let_go()
-    qtbot.waitUntil(lambda: window.document.state.annotation.annotated == ("Circle left",))
+    qtbot.waitUntil(lambda: window.services.state.annotation.annotated == ("Circle left",))
 
 
 def leave_meanwhile(
@@ -298,7 +298,7 @@ def leave_meanwhile(
 ) -> None:
     """Leave while the disk is busy; it is done only once the frame is being left."""
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.store.events.aboutToLeave.connect(disk.let_go)
+    window.services.store.events.aboutToLeave.connect(disk.let_go)
     leave()
 
 
@@ -308,7 +308,7 @@ def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
     locked: list[bool] = []
     disk.before = lambda: locked.append(bool(list(locks_folder(dataset).glob("frame_0-*.lock"))))
     click(window)
-    leave_meanwhile(window, disk, qtbot, window.document.walk.next_frame)
+    leave_meanwhile(window, disk, qtbot, window.services.navigator.next_frame)
     assert locked == [True]
     assert points_on_disk(dataset) == {MIDDLE: 1}
     assert not list(locks_folder(dataset).glob("frame_0-*.lock"))
@@ -317,12 +317,12 @@ def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
 def test_the_other_window_reads_what_was_being_written(window, disk, dataset, make_window, qtbot):
     other = make_window(dataset)
     click(window)
-    other.document.presence.look()
-    assert not other.document.state.editable
-    leave_meanwhile(window, disk, qtbot, window.document.walk.next_frame)
+    other.services.frame_lock.look()
+    assert not other.services.state.editable
+    leave_meanwhile(window, disk, qtbot, window.services.navigator.next_frame)
     click_in_other = Hand(other)
-    other.document.presence.look()  # it opens by itself
-    assert other.document.state.annotation.annotated == (MIDDLE,)
+    other.services.frame_lock.look()  # it opens by itself
+    assert other.services.state.annotation.annotated == (MIDDLE,)
     click_in_other.draw(TOP, (100, 50), (200, 50))
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 2}
 
@@ -341,23 +341,23 @@ def test_another_dataset_waits_for_this_one(window, disk, dataset, tmp_path, qtb
     other = tmp_path / "other"
     shutil.copytree(dataset, other)
     click(window)
-    leave_meanwhile(window, disk, qtbot, lambda: window.document.opening.open_path(other))
+    leave_meanwhile(window, disk, qtbot, lambda: window.services.opening.open_path(other))
     assert points_on_disk(dataset) == {MIDDLE: 1}
-    assert window.document.state.annotation.annotated == ()
+    assert window.services.state.annotation.annotated == ()
 
 
 def test_a_document_that_ends_ends_no_write(window, disk, dataset, qtbot):
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
     disk.let_go()
-    window.document.close()
+    window.services.close()
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
 def test_what_is_replaced_is_a_version_before(window, disk, dataset, qtbot):
     (dataset / "frame_1.json").write_text(THEIRS)
-    window.document.walk.go_to(1)
-    database = window.document.review.database
+    window.services.navigator.go_to(1)
+    database = window.services.review.database
     kept: list[list[bytes]] = []
     disk.before = lambda: kept.append(
         [database.version_data(v.id) for v in database.versions("frame_1")]

@@ -75,7 +75,7 @@ def test_what_paints_itself_says_what_it_is(window, qtbot):
         told = QAccessible.queryAccessibleInterface(widget)
         assert told.role() == role
         assert told.text(QAccessible.Text.Name) == widget.accessibleName() != ""
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     told = QAccessible.queryAccessibleInterface(window.canvas)
     qtbot.waitUntil(lambda: "Halfway line" in told.text(QAccessible.Text.Description))
     assert told.text(QAccessible.Text.Description) == window.canvas.hint
@@ -95,7 +95,7 @@ def test_so_does_everything_of_a_dialog(window, action):
 
 
 def test_the_picture_says_what_comes_next(window, qtbot):
-    window.document.selecting.select_class("Middle line")
+    window.services.selection.select_class("Middle line")
     told = QAccessible.queryAccessibleInterface(window.canvas)
     assert told.text(QAccessible.Text.Name) == "Picture"
     qtbot.waitUntil(lambda: "DRAW Halfway line" in told.text(QAccessible.Text.Description))

@@ -36,18 +36,18 @@ def test_what_is_changed_holds_at_once_and_is_remembered(window, dialog):
     box.selectAll()
     QTest.keyClicks(box, "12,5")
     QTest.keyClick(box, Qt.Key.Key_Return)
-    assert window.document.state.tau == 12.5
+    assert window.services.state.tau == 12.5
     assert Settings().get(rows.TAU) == 12.5
 
     snapping = row(dialog, "snapping").editor
     snapping.setFocus()
     QTest.keyClick(snapping, Qt.Key.Key_Space)
-    assert not window.document.state.options.snapping
+    assert not window.services.state.options.snapping
     assert not window.actions_["snapping"].isChecked()
 
     protocol = row(dialog, "protocol").editor
     QTest.keyClick(protocol, Qt.Key.Key_Down)
-    assert window.document.state.setup.protocol == "procc"
+    assert window.services.state.setup.protocol == "procc"
     assert window.actions_["protocol_procc"].isChecked()
 
     share = row(dialog, "ghost_support").editor
@@ -57,18 +57,18 @@ def test_what_is_changed_holds_at_once_and_is_remembered(window, dialog):
 
 
 def test_a_setting_goes_back_to_its_default_and_all_do(window, dialog):
-    window.document.terms.set_tau(9)
+    window.services.evaluation.set_tau(9)
     window.actions_["pinned"].trigger()
     window.actions_["off_plane_left_out"].trigger()
     dialog.refresh()
     changed = {r.setting.key for r in dialog.rows if r.back.isEnabled()}
     assert changed == {"tau", "pinned", "off_plane"}
     QTest.mouseClick(row(dialog, "tau").back, Qt.MouseButton.LeftButton)
-    assert window.document.state.tau == rows.TAU.default
+    assert window.services.state.tau == rows.TAU.default
     assert not row(dialog, "tau").back.isEnabled()
     QTest.mouseClick(dialog.all_back, Qt.MouseButton.LeftButton)
-    assert window.document.state.options.pinned
-    assert window.document.state.setup.off_plane == "missed"
+    assert window.services.state.options.pinned
+    assert window.services.state.setup.off_plane == "missed"
     assert not any(r.back.isEnabled() for r in dialog.rows)
 
 
@@ -110,14 +110,14 @@ def test_every_setting_is_in_the_palette(window, qtbot):
 
 
 def test_a_name_of_ones_own_can_be_given_and_taken_back(window, dialog):
-    before = window.document.state.author
+    before = window.services.state.author
     line = row(dialog, "author").editor
     line.setFocus()
     QTest.keyClicks(line, "Ada")
     QTest.keyClick(line, Qt.Key.Key_Return)
-    assert window.document.state.author == "Ada"
+    assert window.services.state.author == "Ada"
     QTest.mouseClick(row(dialog, "author").back, Qt.MouseButton.LeftButton)
-    assert window.document.state.author == before
+    assert window.services.state.author == before
 
 
 @pytest.mark.new_window

@@ -94,8 +94,8 @@ def tracked_once(tracks, monkeypatch) -> None:
 @pytest.fixture
 def window(make_window, dataset, video, qtbot) -> MainWindow:
     made = make_window(dataset)
-    document = made.document
-    document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.state.field))
+    services = made.services
+    services.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), services.state.field))
     all_done(qtbot)
     return made
 
@@ -124,10 +124,10 @@ def files(video: Path) -> list[str]:
 
 class TestFollowing:
     def test_the_shot_is_followed_to_its_cut(self, window, drawn, qtbot):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
 
-        track = document.shot_track
+        track = services.shot_track
         assert sorted(track.tracked) == list(range(COUNT // 2))
         assert track.cuts == (COUNT // 2,)
         assert all(frame.state == "followed" for frame in track.tracked.values())
@@ -135,22 +135,22 @@ class TestFollowing:
         spots = np.array([[0.0, 0.0, 0.0], [20.0, -30.0, 0.0], [20.0, 10.0, 0.0]])
         apart = fit.camera.project(spots)[0] - drawn.cameras[10].project(spots)[0]
         assert np.abs(apart).max() < 2.0
-        assert document.state.active is None
-        assert [len(source.camera_set.frames) for source in document.state.sources] == [3]
+        assert services.state.active is None
+        assert [len(source.camera_set.frames) for source in services.state.sources] == [3]
 
     def test_ghosts_come_from_the_track_and_it_is_judged_like_any_source(self, window, qtbot):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
 
-        document.walk.go_to(2)
+        services.navigator.go_to(2)
         all_done(qtbot)
-        assert document.foresight.stands_in
-        assert document.ghosts.painted
+        assert services.prediction.stands_in
+        assert services.ghosts.painted
         assert window.canvas.found_plate.text.startswith("Camera of the track")
-        document.camera_sources.set_active_camera(
-            document.state.sources.index(document.shot_track.source)
+        services.camera_sources.set_active_camera(
+            services.state.sources.index(services.shot_track.source)
         )
-        assert document.judge.camera is not None
+        assert services.scorer.camera is not None
 
     def test_frames_fill_in_meanwhile_and_it_can_be_stopped(self, window, qtbot, monkeypatch):
         going, track = Event(), following.track_shot
@@ -165,7 +165,7 @@ class TestFollowing:
 
         monkeypatch.setattr(following, "track_shot", slow)
         press(window, Key.Key_T)
-        qtbot.waitUntil(lambda: 8 in window.document.shot_track.tracked, timeout=60_000)
+        qtbot.waitUntil(lambda: 8 in window.services.shot_track.tracked, timeout=60_000)
         assert window.shot_following.words().startswith("following: ")
         assert not np.isnan(window.strip.content.band.coverage[8])
 
@@ -173,8 +173,8 @@ class TestFollowing:
         all_done(qtbot)
 
         assert not window.shot_following.running
-        assert 8 in window.document.shot_track.tracked
-        assert 12 not in window.document.shot_track.tracked
+        assert 8 in window.services.shot_track.tracked
+        assert 12 not in window.services.shot_track.tracked
 
     def test_an_unsure_camera_is_no_beginning(
         self, make_window, dataset, video, qtbot, drawn, monkeypatch
@@ -192,26 +192,26 @@ class TestFollowing:
         monkeypatch.setattr(proposals, "propose_camera", unsure)
         monkeypatch.setattr(following, "track_shot", noted)
         window = make_window(dataset)
-        document = window.document
-        document.opening.open_workspace(
-            open_video(video, range(0, COUNT, EVERY), document.state.field)
+        services = window.services
+        services.opening.open_workspace(
+            open_video(video, range(0, COUNT, EVERY), services.state.field)
         )
         all_done(qtbot)
-        assert document.foresight.stands_in
+        assert services.prediction.stands_in
 
         follow(window, qtbot)
 
         assert asked == [{}]
 
     def test_not_in_blind_mode_nor_without_order(self, window, dataset, qtbot):
-        document = window.document
-        said = heard(document)
+        services = window.services
+        said = heard(services)
 
-        document.blind_lock.set_blind(True)
+        services.blind_lock.set_blind(True)
         press(window, Key.Key_T)
         assert said[-1].startswith("blind mode: no shot is followed")
-        document.blind_lock.set_blind(False)
-        document.opening.open_path(dataset)
+        services.blind_lock.set_blind(False)
+        services.opening.open_path(dataset)
         all_done(qtbot)
         press(window, Key.Key_T)
         assert said[-1].startswith("only a video, or frames that follow one another")
@@ -219,21 +219,21 @@ class TestFollowing:
 
     def test_removing_its_row_forgets_it(self, window, qtbot):
         follow(window, qtbot)
-        document = window.document
+        services = window.services
 
         window.panels.show("cameras")
         all_done(qtbot)
         window.cameras.list.rows[0].remove.click()
 
-        assert not document.shot_track.tracked
-        assert document.state.sources == ()
-        assert document.live_fit.wanted
+        assert not services.shot_track.tracked
+        assert services.state.sources == ()
+        assert services.live_fit.wanted
 
     def test_correcting_a_frame_follows_what_lies_between_its_neighbours_again(
         self, window, qtbot, monkeypatch, hand_on
     ):
         follow(window, qtbot)
-        document, track = window.document, following.track_shot
+        services, track = window.services, following.track_shot
         asked: list[tuple[range, list[int]]] = []
 
         def noted(frames: Any, numbers: range, *args: Any, anchors: Any, **more: Any) -> Any:
@@ -241,42 +241,42 @@ class TestFollowing:
             return track(frames, numbers, *args, anchors=anchors, **more)
 
         monkeypatch.setattr(following, "track_shot", noted)
-        document.walk.go_to(1)
+        services.navigator.go_to(1)
         all_done(qtbot)
         hand: Hand = hand_on(window)
         hand.key(Key.Key_Return, SHIFT)
         all_done(qtbot)
-        polyline = document.state.annotation.polylines[0]
-        document.selecting.select_class(polyline.class_name)
-        document.selecting.set_mode("edit")
+        polyline = services.state.annotation.polylines[0]
+        services.selection.select_class(polyline.class_name)
+        services.selection.set_mode("edit")
         width, height = SIZE
         at = polyline.points[1].u * (width - 1), polyline.points[1].v * (height - 1)
         hand.drag(at, (at[0] + 4, at[1] + 4))
         assert asked == []  # while somebody works here
-        document.selecting.set_mode("draw")
+        services.selection.set_mode("draw")
 
-        document.walk.go_to(2)
+        services.navigator.go_to(2)
         qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
         qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
 
         assert asked == [(range(COUNT // 2), [5])]
-        assert document.shot_track.tracked[5].state == "anchor"
-        assert document.shot_track.tracked[7].anchor_distance == 2
+        assert services.shot_track.tracked[5].state == "anchor"
+        assert services.shot_track.tracked[7].anchor_distance == 2
 
     def test_another_field_has_another_track(self, window, qtbot):
         follow(window, qtbot)
-        document = window.document
+        services = window.services
 
-        document.terms.set_field(load_field("basketball_nba"))
+        services.evaluation.set_field(load_field("basketball_nba"))
         all_done(qtbot)
 
-        assert not document.shot_track.tracked
-        assert document.state.sources == ()
+        assert not services.shot_track.tracked
+        assert services.state.sources == ()
 
     def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
         self, window, qtbot, monkeypatch
     ):
-        document, track = window.document, following.track_shot
+        services, track = window.services, following.track_shot
         follow(window, qtbot)
         accept(window, qtbot)
         asked: list[list[int]] = []
@@ -286,13 +286,13 @@ class TestFollowing:
             return track(*args, anchors=anchors, **more)
 
         monkeypatch.setattr(following, "track_shot", noted)
-        document.annotated_frames.close()
-        document.annotated_frames._edited.clear()
+        services.annotated_frames.close()
+        services.annotated_frames._edited.clear()
         follow(window, qtbot)
 
         assert asked == [[0, 5, 10]]
         # These are fits to the clicks they would be judged by, the others are not.
-        anchored = {one.number for one in document.shot_track.tracked.values() if one.clicks}
+        anchored = {one.number for one in services.shot_track.tracked.values() if one.clicks}
         assert anchored == {0, 5, 10}
 
     def test_a_folder_is_followed_up_to_where_pictures_are_missing(
@@ -304,17 +304,17 @@ class TestFollowing:
             if number != 11:
                 cv2.imwrite(str(folder / f"f_{number:03d}.png"), pictures[number][..., :3])
         window = make_window(dataset)
-        window.document.opening.open_path(folder)
+        window.services.opening.open_path(folder)
         all_done(qtbot)
 
         follow(window, qtbot)
 
-        assert sorted(window.document.shot_track.tracked) == list(range(11))
+        assert sorted(window.services.shot_track.tracked) == list(range(11))
 
 
 class TestAccepting:
     def test_a_stretch_is_one_action_and_one_step_of_undo(self, window, video, qtbot):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
 
         accept(window, qtbot)
@@ -322,15 +322,15 @@ class TestAccepting:
         assert files(video) == ["00", "05", "10"]
         assert window.strip.content.anchors == (0, 5, 10)
         for index in range(3):
-            document.walk.go_to(index)
-            counts = document.review.origin_counts(
-                document.state.frame.name, document.state.annotation
+            services.navigator.go_to(index)
+            counts = services.review.origin_counts(
+                services.state.frame.name, services.state.annotation
             )
             assert set(counts) == {OriginKind.ACCEPTED}
-            assert document.review.status(document.state.frame.name) is Status.IN_PROGRESS
+            assert services.review.status(services.state.frame.name) is Status.IN_PROGRESS
         assert not window.shot_following.running  # nothing was corrected
 
-        document.walk.go_to(1)
+        services.navigator.go_to(1)
         press(window, Key.Key_Z, CTRL)  # of this frame alone: somebody went on to look
         all_done(qtbot)
         assert files(video) == ["00", "10"]
@@ -349,25 +349,25 @@ class TestAccepting:
         all_done(qtbot)
 
         assert files(video) == []
-        assert window.document.review.status("match_000005") is Status.UNTOUCHED
+        assert window.services.review.status("match_000005") is Status.UNTOUCHED
 
     def test_doubtful_and_annotated_frames_are_left_alone(self, window, video, qtbot, hand_on):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
-        document.walk.go_to(1)
+        services.navigator.go_to(1)
         hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
         all_done(qtbot)
-        before = document.state.annotation
-        tracked = dict(document.shot_track.tracked)
+        before = services.state.annotation
+        tracked = dict(services.shot_track.tracked)
         doubtful = tracked[10]
         tracked[10] = type(doubtful)(10, "bridged", "", doubtful.fit, 0.0, None, 10)
-        document.shot_track.replace(tracked, document.shot_track.cuts)
+        services.shot_track.replace(tracked, services.shot_track.cuts)
 
         accept(window, qtbot)
 
         assert files(video) == ["00", "05"]
-        assert document.state.annotation == before
+        assert services.state.annotation == before
 
     def test_only_the_stretch_that_is_marked(self, window, video, qtbot):
         follow(window, qtbot)
@@ -378,9 +378,9 @@ class TestAccepting:
         assert files(video) == ["05"]
 
     def test_undo_of_a_click_made_since_is_of_that_click(self, window, video, qtbot, hand_on):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
-        document.walk.go_to(1)
+        services.navigator.go_to(1)
         hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
         all_done(qtbot)
@@ -398,7 +398,7 @@ class TestAccepting:
     def test_what_was_added_while_it_was_written_is_not_taken_back(
         self, window, qtbot, hand_on, monkeypatch
     ):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
         hand: Hand = hand_on(window)
         edits = window.stretch_accepting._edits
@@ -415,8 +415,8 @@ class TestAccepting:
         qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
         all_done(qtbot)
 
-        assert "Goal left crossbar" in document.state.annotation.annotated
-        assert "Middle line" in document.state.annotation.annotated  # left as it was: edited since
+        assert "Goal left crossbar" in services.state.annotation.annotated
+        assert "Middle line" in services.state.annotation.annotated  # left as it was: edited since
 
     def test_nothing_is_accepted_once_blind_mode_is_on(self, window, video, qtbot, monkeypatch):
         going, look = Event(), accepting._look
@@ -429,7 +429,7 @@ class TestAccepting:
         follow(window, qtbot)
         press(window, Key.Key_Return, CTRL | SHIFT)
         assert window.stretch_accepting.running
-        window.document.blind_lock.set_blind(True)
+        window.services.blind_lock.set_blind(True)
         going.set()
         qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
         all_done(qtbot)
@@ -437,27 +437,27 @@ class TestAccepting:
         assert files(video) == []
 
     def test_without_a_track_it_says_what_to_do(self, window):
-        said = heard(window.document)
+        said = heard(window.services)
 
         press(window, Key.Key_Return, CTRL | SHIFT)
 
         assert said[-1].startswith("no frame to accept: follow the shot first (T)")
 
     def test_copying_goes_along_the_track(self, window, qtbot, hand_on):
-        document = window.document
+        services = window.services
         follow(window, qtbot)
         hand: Hand = hand_on(window)
         hand.key(Key.Key_Return, SHIFT)
         all_done(qtbot)
-        names = set(document.state.annotation.annotated)
-        said = heard(document)
+        names = set(services.state.annotation.annotated)
+        said = heard(services)
 
-        document.walk.go_to(1)
+        services.navigator.go_to(1)
         all_done(qtbot)
         press(window, Key.Key_V)
         all_done(qtbot)
 
-        copied = {polyline.class_name for polyline in document.state.annotation.unconfirmed}
+        copied = {polyline.class_name for polyline in services.state.annotation.unconfirmed}
         assert copied
         assert copied <= names
         assert "along the track" in said[-1]

@@ -26,27 +26,27 @@ NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 
 def jac_here(window: MainWindow, name: str) -> float:
     """The JaC that the metric's own functions give the frame on screen under a set of cameras."""
-    document = window.document
+    services = window.services
     path = next(
-        s.path for s in [look.cameras for look in document.state.looks] if s.path.name == name
+        s.path for s in [look.cameras for look in services.state.looks] if s.path.name == name
     )
-    found = CameraSet.open(path).camera(document.state.frame.name, document.state.setup.size)
+    found = CameraSet.open(path).camera(services.state.frame.name, services.state.setup.size)
     return score(
-        measure(document.state.annotation, found.camera, document.state.setup), document.state.tau
+        measure(services.state.annotation, found.camera, services.state.setup), services.state.tau
     ).jac
 
 
 def source(window: MainWindow, name: str) -> CameraSource:
-    return next(s for s in window.document.state.sources if s.name == name)
+    return next(s for s in window.services.state.sources if s.name == name)
 
 
 class TestAudits:
     def test_every_source_is_audited_whichever_is_active(self, audited):
-        document = audited.document
-        frame = document.state.frame.name
+        services = audited.services
+        frame = services.state.frame.name
         for name in ("true", "bad"):
             audits = source(audited, name).audits
-            assert audits[frame].jac_at(document.state.tau) == pytest.approx(
+            assert audits[frame].jac_at(services.state.tau) == pytest.approx(
                 jac_here(audited, name), abs=1e-6
             )
         assert len(source(audited, "true").audits) > len(source(audited, "bad").audits) > 0
@@ -59,51 +59,51 @@ class TestAudits:
         assert bad.mean_jac(2.0) < bad.mean_jac(20.0)
 
     def test_switching_computes_nothing_of_the_set_anew(self, audited, qtbot):
-        document = audited.document
+        services = audited.services
         before = dict(source(audited, "bad").audits)
-        document.camera_sources.set_active_camera(1)
-        assert not document.set_scores.running
+        services.camera_sources.set_active_camera(1)
+        assert not services.dataset_scores.running
         assert source(audited, "bad").audits == before
-        assert dict(document.auditing.frame_scores) == {
-            name: audit.jac_at(document.state.tau) for name, audit in before.items()
+        assert dict(services.scoring.frame_scores) == {
+            name: audit.jac_at(services.state.tau) for name, audit in before.items()
         }
 
     def test_an_edit_is_audited_under_every_source(self, audited, hand_on, qtbot):
-        document = audited.document
-        frame = document.state.frame.name
-        before = {s.name: s.audits[frame] for s in document.state.sources if frame in s.audits}
+        services = audited.services
+        frame = services.state.frame.name
+        before = {s.name: s.audits[frame] for s in services.state.sources if frame in s.audits}
         told: list[object] = []
-        document.store.events.sourceAuditsChanged.connect(told.append)
-        document.selecting.select_class("Circle central")
+        services.store.events.sourceAuditsChanged.connect(told.append)
+        services.selection.select_class("Circle central")
         hand = hand_on(audited)
         for point in ((100.0, 600.0), (180.0, 620.0), (300.0, 640.0)):
             hand.click(*point)
         audited.canvas.key("Enter")
         bad = source(audited, "bad")
-        qtbot.waitUntil(lambda: document.state.active.audits[frame] is not before["true"])
+        qtbot.waitUntil(lambda: services.state.active.audits[frame] is not before["true"])
         qtbot.waitUntil(lambda: bad.audits[frame] is not before["bad"])
         for name in ("true", "bad"):
-            assert source(audited, name).audits[frame].jac_at(document.state.tau) == pytest.approx(
+            assert source(audited, name).audits[frame].jac_at(services.state.tau) == pytest.approx(
                 jac_here(audited, name), abs=1e-6
             )
-        assert {document.state.active, bad} <= set(told)
+        assert {services.state.active, bad} <= set(told)
 
     def test_terms_apply_to_every_source(self, audited, qtbot):
-        document = audited.document
-        document.terms.set_protocol("procc")
+        services = audited.services
+        services.evaluation.set_protocol("procc")
         settle(audited, qtbot)
         for name in ("true", "bad"):
-            assert source(audited, name).audits[document.state.frame.name].jac_at(
-                document.state.tau
+            assert source(audited, name).audits[services.state.frame.name].jac_at(
+                services.state.tau
             ) == pytest.approx(jac_here(audited, name), abs=1e-6)
 
     def test_a_damaged_camera_is_known_by_its_frame(self, make_window, annotated, qtbot):
         (annotated / "cameras" / "bad" / "camera_00003.json").write_text("{")
         window = make_window(annotated)
-        window.document.live_fit.set_wanted(False)
-        window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+        window.services.live_fit.set_wanted(False)
+        window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(window, qtbot)
-        (bad,) = window.document.state.sources
+        (bad,) = window.services.state.sources
         assert list(bad.problems) == ["00003"]
         assert "camera_00003.json" in bad.problems["00003"]
         assert "00002" in bad.audits
@@ -117,16 +117,16 @@ def child(window: MainWindow, kind: type[Found], name: str) -> Found:
 
 def mean_jac(window: MainWindow, name: str, tau: float) -> float:
     """The mean of what the metric's own functions give every frame that has both."""
-    document = window.document
+    services = window.services
     cameras = CameraSet.open(
-        next(s.path for s in [look.cameras for look in document.state.looks] if s.path.name == name)
+        next(s.path for s in [look.cameras for look in services.state.looks] if s.path.name == name)
     )
     values = []
-    for index, frame in enumerate(document.state.workspace.frames):
-        annotation = document.state.workspace.read(index)
-        found = cameras.camera(frame.name, document.state.setup.size)
+    for index, frame in enumerate(services.state.workspace.frames):
+        annotation = services.state.workspace.read(index)
+        found = cameras.camera(frame.name, services.state.setup.size)
         if annotation.annotated and found is not None:
-            values.append(score(measure(annotation, found.camera, document.state.setup), tau).jac)
+            values.append(score(measure(annotation, found.camera, services.state.setup), tau).jac)
     return sum(values) / len(values)
 
 
@@ -143,15 +143,15 @@ class TestRows:
             qtbot.waitUntil(lambda label=label, text=expected: label.text() == text)
         assert child(audited, QLabel, "cameras_matched_1").text() == "5 of 6 (83 %)"
         assert child(audited, QLabel, "cameras_model_1").text() == "pinhole P"
-        audited.document.terms.set_tau(12.0)
+        audited.services.evaluation.set_tau(12.0)
         expected = f"JaC {mean_jac(audited, 'bad', 12.0):.3f}"
         assert expected != f"JaC {mean_jac(audited, 'bad', 5.0):.3f}"
         qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
-        assert not audited.document.set_scores.running  # nothing was computed for it
+        assert not audited.services.dataset_scores.running  # nothing was computed for it
 
     def test_rows_keep_their_height_where_the_panel_is_low(self, audited, annotated, qtbot):
-        assert audited.document.camera_sources.load_cameras(annotated / "cameras" / "homography")
-        audited.document.camera_sources.set_active_camera(0)
+        assert audited.services.camera_sources.load_cameras(annotated / "cameras" / "homography")
+        audited.services.camera_sources.set_active_camera(0)
         settle(audited, qtbot)
         panel = audited.cameras
         qtbot.waitUntil(lambda: len(panel.list.rows) == 4)
@@ -165,7 +165,7 @@ class TestRows:
         row = child(audited, SourceRow, "cameras_row_1")
         at = row.jac.mapTo(row, row.jac.rect().center())
         QTest.mouseClick(row, Qt.MouseButton.LeftButton, pos=at)
-        assert audited.document.state.active.name == "bad"
+        assert audited.services.state.active.name == "bad"
         assert audited.top_bar.camera_bar.cameras.currentText() == "bad"
 
     def test_a_double_click_lets_the_name_be_typed(self, audited, qtbot):
@@ -175,7 +175,7 @@ class TestRows:
         assert row.edit.isVisible()
         QTest.keyClicks(row.edit, "TV  X")
         QTest.keyClick(row.edit, Qt.Key.Key_Return)
-        assert [s.name for s in audited.document.state.sources] == ["true", "TV X", "pinhole"]
+        assert [s.name for s in audited.services.state.sources] == ["true", "TV X", "pinhole"]
         qtbot.waitUntil(lambda: row.radio.text() == "TV X")
         assert not row.edit.isVisible()
         QTest.keyClick(row.radio, Qt.Key.Key_F2)
@@ -184,107 +184,107 @@ class TestRows:
         assert row.radio.text() == "TV X"
 
     def test_no_two_sources_have_the_same_name(self, audited):
-        document = audited.document
-        document.camera_sources.rename_source(document.state.sources[1], "true")
-        assert document.state.sources[1].name == "true (2)"
+        services = audited.services
+        services.camera_sources.rename_source(services.state.sources[1], "true")
+        assert services.state.sources[1].name == "true (2)"
 
     def test_another_colour_is_that_of_the_wireframe_too(self, audited):
         row = child(audited, SourceRow, "cameras_row_1")
         navy = row.colour.menu().actions()[4]
         assert navy.text() == "Navy"
         navy.trigger()
-        assert audited.document.state.sources[1].colour == SOURCE_COLOURS[4]
+        assert audited.services.state.sources[1].colour == SOURCE_COLOURS[4]
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert SOURCE_COLOURS[4] in colours
 
     def test_a_source_without_camera_here_says_so(self, audited, qtbot):
-        audited.document.walk.go_to(3)  # bad has none of 00004
+        audited.services.navigator.go_to(3)  # bad has none of 00004
         note = child(audited, QLabel, "cameras_problem_1")
         qtbot.waitUntil(lambda: "no camera for this frame" in note.text())
         assert not child(audited, QLabel, "cameras_problem_2").isVisible()
 
     def test_a_source_whose_file_is_damaged_says_where(self, audited, annotated, qtbot):
         (annotated / "cameras" / "homography" / "00006.homographyMatrix").write_text("1 2")
-        audited.document.camera_sources.load_cameras(annotated / "cameras" / "homography")
-        audited.document.camera_sources.set_active_camera(0)
-        audited.document.walk.go_to(5)
+        audited.services.camera_sources.load_cameras(annotated / "cameras" / "homography")
+        audited.services.camera_sources.set_active_camera(0)
+        audited.services.navigator.go_to(5)
         qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 4)
         note = child(audited, QLabel, "cameras_problem_3")
         qtbot.waitUntil(lambda: "00006.homographyMatrix" in note.text())
 
     def test_a_removed_source_takes_its_row_along(self, audited, qtbot):
         child(audited, QToolButton, "cameras_remove_1").click()
-        assert [s.name for s in audited.document.state.sources] == ["true", "pinhole"]
+        assert [s.name for s in audited.services.state.sources] == ["true", "pinhole"]
         qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 2)
-        assert audited.document.state.active.name == "true"
+        assert audited.services.state.active.name == "true"
 
 
 class TestKeys:
     def test_c_goes_on_and_shift_c_goes_back(self, audited, hand_on):
-        hand, document = hand_on(audited), audited.document
+        hand, services = hand_on(audited), audited.services
         names = []
         for modifiers in (NONE, NONE, NONE, SHIFT):
             hand.key(Qt.Key.Key_C, modifiers)
-            names.append(document.state.active.name)
+            names.append(services.state.active.name)
         assert names == ["bad", "pinhole", "true", "pinhole"]
 
 
 class TestCompared:
     def test_it_is_the_one_active_before_unless_one_is_chosen(self, audited):
-        document = audited.document
-        true, bad, pinhole = document.state.sources
-        document.camera_sources.set_active_camera(2)
-        assert document.state.compared is true
-        document.camera_sources.set_active_camera(1)
-        assert document.state.compared is pinhole
-        document.camera_sources.compare_with(true)
-        document.camera_sources.set_active_camera(2)
-        assert document.state.compared is true
-        document.camera_sources.swap_sources()
-        assert (document.state.active, document.state.compared) == (true, pinhole)
-        document.camera_sources.remove_camera_set(2)
-        assert document.state.compared is bad
+        services = audited.services
+        true, bad, pinhole = services.state.sources
+        services.camera_sources.set_active_camera(2)
+        assert services.state.compared is true
+        services.camera_sources.set_active_camera(1)
+        assert services.state.compared is pinhole
+        services.camera_sources.compare_with(true)
+        services.camera_sources.set_active_camera(2)
+        assert services.state.compared is true
+        services.camera_sources.swap_sources()
+        assert (services.state.active, services.state.compared) == (true, pinhole)
+        services.camera_sources.remove_camera_set(2)
+        assert services.state.compared is bad
 
 
 class TestMemory:
     def test_sources_come_back_with_their_dataset(self, audited, annotated, make_window, qtbot):
-        document = audited.document
-        document.camera_sources.rename_source(document.state.sources[1], "worse")
-        document.camera_sources.set_source_colour(document.state.sources[2], "#22e6ff")
-        document.camera_sources.set_source_visible(document.state.sources[0], False)
-        document.camera_sources.set_active_camera(1)
+        services = audited.services
+        services.camera_sources.rename_source(services.state.sources[1], "worse")
+        services.camera_sources.set_source_colour(services.state.sources[2], "#22e6ff")
+        services.camera_sources.set_source_visible(services.state.sources[0], False)
+        services.camera_sources.set_active_camera(1)
         audited.close()
         again = make_window(annotated)
-        qtbot.waitUntil(lambda: len(again.document.state.sources) == 3)
-        found = [(s.name, s.colour, s.visible) for s in again.document.state.sources]
-        assert found == [(s.name, s.colour, s.visible) for s in document.state.sources]
-        assert again.document.state.active.name == "worse"
+        qtbot.waitUntil(lambda: len(again.services.state.sources) == 3)
+        found = [(s.name, s.colour, s.visible) for s in again.services.state.sources]
+        assert found == [(s.name, s.colour, s.visible) for s in services.state.sources]
+        assert again.services.state.active.name == "worse"
         settle(again, qtbot)
-        assert again.document.state.active.audits
+        assert again.services.state.active.audits
 
     def test_what_is_not_there_any_more_is_told(self, audited, annotated, make_window, qtbot):
         audited.close()
         shutil.rmtree(annotated / "cameras" / "bad")
         again = make_window(annotated)
-        qtbot.waitUntil(lambda: len(again.document.state.sources) == 2)
+        qtbot.waitUntil(lambda: len(again.services.state.sources) == 2)
         assert str(annotated / "cameras" / "bad") in again.message_bar.label.text()
 
     def test_another_dataset_brings_its_own(self, audited, annotated, dataset, qtbot):
-        document = audited.document
+        services = audited.services
         audited.opening.open_path(dataset)
-        assert document.state.sources == ()
-        assert document.state.active is None
+        assert services.state.sources == ()
+        assert services.state.active is None
         audited.opening.open_path(annotated)
         qtbot.waitUntil(
-            lambda: [s.name for s in document.state.sources] == ["true", "bad", "pinhole"]
+            lambda: [s.name for s in services.state.sources] == ["true", "bad", "pinhole"]
         )
-        assert document.state.active.name == "true"
+        assert services.state.active.name == "true"
 
     def test_sources_named_at_the_start_are_judged_first(
         self, audited, annotated, make_window, qtbot
     ):
-        audited.document.camera_sources.rename_source(
-            audited.document.state.sources[0], "reference"
+        audited.services.camera_sources.rename_source(
+            audited.services.state.sources[0], "reference"
         )
         audited.close()
         choices = [
@@ -292,30 +292,30 @@ class TestMemory:
             CameraChoice(annotated / "cameras" / "true"),
         ]
         again = make_window(annotated, cameras=choices)
-        assert again.document.state.active.name == "flat"
-        qtbot.waitUntil(lambda: len(again.document.state.sources) == 4)
-        names = [s.name for s in again.document.state.sources]
+        assert again.services.state.active.name == "flat"
+        qtbot.waitUntil(lambda: len(again.services.state.sources) == 4)
+        names = [s.name for s in again.services.state.sources]
         assert names == ["flat", "reference", "bad", "pinhole"]
-        assert again.document.state.active.name == "flat"
+        assert again.services.state.active.name == "flat"
 
     def test_settings_that_make_no_sense_are_left_alone(self, make_window, annotated, qtbot):
         settings = Settings()
         settings.set(SOURCES, {"x": 1, str(annotated.resolve()): [{"path": 3}, 7]})
         settings.sync()
         window = make_window(annotated)
-        assert window.document.state.sources == ()
-        assert window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+        assert window.services.state.sources == ()
+        assert window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
 
     def test_loading_the_same_again_reads_the_files_anew(self, audited, annotated, qtbot):
-        document = audited.document
+        services = audited.services
         bad = source(audited, "bad")
         before = bad.mean_jac(5.0)
         for path in (annotated / "cameras" / "bad").glob("*.json"):
             shutil.copy(annotated / "cameras" / "true" / path.name, path)
-        document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+        services.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(audited, qtbot)
-        assert len(document.state.sources) == 3
-        assert document.state.active is bad
+        assert len(services.state.sources) == 3
+        assert services.state.active is bad
         assert bad.mean_jac(5.0) > before
 
 
@@ -329,8 +329,8 @@ class TestUnreadable:
             next(folder.glob(f"*{name}*")).write_text("{")
         window = make_window(annotated)
         for name in ("true", "bad"):
-            assert window.document.camera_sources.load_cameras(folder.parent / name)
-        window.document.walk.go_to(1)
+            assert window.services.camera_sources.load_cameras(folder.parent / name)
+        window.services.navigator.go_to(1)
         settle(window, qtbot)
         return window
 
@@ -350,7 +350,7 @@ class TestUnreadable:
         model = damaged.frames.model
         assert "00002" in model.info(1).camera_problem
         assert model.info(0).camera_problem == ""
-        damaged.document.camera_sources.set_active_camera(0)
+        damaged.services.camera_sources.set_active_camera(0)
         assert "JaC" in damaged.top_bar.camera_bar.jac.text()
         assert model.info(1).camera_problem == ""
 
@@ -359,7 +359,7 @@ class TestUnreadable:
         split = damaged.canvas.comparison.split
         assert split.left.text == "bad  ·  camera unreadable"
         assert "JaC" in split.right.text
-        damaged.document.walk.go_to(3)  # the file is not there at all
+        damaged.services.navigator.go_to(3)  # the file is not there at all
         assert split.left.text == "bad  ·  no camera here"
 
     def test_the_filter_finds_them(self, damaged, qtbot):
@@ -374,7 +374,7 @@ class TestUnreadable:
         qtbot.waitUntil(lambda: shown() == ["00004"])
         damaged.frames.filter.setText("-camera:none,unreadable")
         qtbot.waitUntil(lambda: shown() == ["00001", "00005", "00006"])
-        damaged.document.camera_sources.set_active_camera(0)
+        damaged.services.camera_sources.set_active_camera(0)
         qtbot.waitUntil(lambda: len(shown()) == 6)
 
 
@@ -383,13 +383,13 @@ def test_cameras_of_no_frame_are_told(make_window, annotated):
     window = make_window(annotated)
     stray = annotated / "stray.json"
     stray.write_bytes((annotated / "cameras" / "true" / "camera_00001.json").read_bytes())
-    window.document.camera_sources.load_cameras(stray)
+    window.services.camera_sources.load_cameras(stray)
     said = window.message_bar.label.text()
     assert "no camera has the name of a frame" in said
     assert "'stray'" in said
     assert "'00001'" in said
     stray.write_text("{}")
-    window.document.camera_sources.load_cameras(stray)
+    window.services.camera_sources.load_cameras(stray)
     assert "stray.json: holds no camera of a known format" in window.message_bar.label.text()
 
 

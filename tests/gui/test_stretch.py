@@ -45,7 +45,7 @@ def window(make_window, shot, qtbot) -> MainWindow:
     """The first three frames were followed."""
     made = make_window(shot)
     all_done(qtbot)
-    made.document.shot_track.replace({n: followed(n) for n in range(3)}, ())
+    made.services.shot_track.replace({n: followed(n) for n in range(3)}, ())
     all_done(qtbot)
     return made
 
@@ -72,14 +72,14 @@ def files(shot: Path) -> list[str]:
 
 def commit_here(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
     """In blind mode, with something clicked; the frame stays on screen, its cameras are shown."""
-    index = window.document.state.frame_index
-    window.document.blind_lock.set_blind(True)
+    index = window.services.state.frame_index
+    window.services.blind_lock.set_blind(True)
     hand.draw("Middle line", (40, 40), (200, 120))
     press(window, Key.Key_Return, CTRL)
     all_done(qtbot)
-    window.document.walk.go_to(index)
+    window.services.navigator.go_to(index)
     all_done(qtbot)
-    assert window.document.state.projection_visible
+    assert window.services.state.projection_visible
 
 
 def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypatch):
@@ -90,7 +90,7 @@ def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypat
     all_done(qtbot)
     assert files(shot) == []
 
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
 
     assert not window.shot_following.running
 
@@ -125,7 +125,7 @@ def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
     qtbot.waitUntil(lambda: not window.shot_following.running, timeout=20_000)
     all_done(qtbot)
 
-    tracked = window.document.shot_track.tracked
+    tracked = window.services.shot_track.tracked
     assert sorted(tracked) == list(range(COUNT))
     assert [n for n, frame in tracked.items() if frame.fit is None] == [DAMAGED]
     assert "cannot be" in tracked[DAMAGED].reason
@@ -137,7 +137,7 @@ def test_stopped_before_anything_was_followed_it_says_so(window, qtbot, monkeypa
             args[-1]()  # ends once nobody wants it
 
     monkeypatch.setattr(following, "shot_range_around", shot_around)
-    said = heard(window.document)
+    said = heard(window.services)
 
     press(window, Key.Key_T)
     press(window, Key.Key_T)

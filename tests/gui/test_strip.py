@@ -73,7 +73,7 @@ def tracked(number: int, state: FrameState = "followed", coverage: float = 0.9) 
 
 
 def take(window: MainWindow, frames: Iterable[TrackedFrame], *shots: tuple[int, int]) -> None:
-    window.document.shot_track.take(Track(tuple(frames), shots))
+    window.services.shot_track.take(Track(tuple(frames), shots))
 
 
 def place_of(window: MainWindow, number: int) -> QPoint:
@@ -94,7 +94,7 @@ SHIFT, CTRL, ALT = (
 
 class TestWhereItIs:
     def test_pictures_that_follow_one_another_have_one(self, window):
-        sequence = window.document.sequence.value
+        sequence = window.services.sequence.value
 
         assert (sequence.first, sequence.last, sequence.video) == (100, 123, None)
         assert window.strip.mapTo(window, QPoint()).y() > window.canvas.mapTo(window, QPoint()).y()
@@ -109,10 +109,10 @@ class TestWhereItIs:
                 cv2.imwrite(str(path), panned(number, scene=scene))
         window = make_window(tmp_path)
         qtbot.waitUntil(window.strip.isVisible)
-        window.document.walk.go_to(FEWEST)
+        window.services.navigator.go_to(FEWEST)
         all_done(qtbot)
         assert strip_words(window).startswith("b/img1/000000")
-        sequence = window.document.sequence.value
+        sequence = window.services.sequence.value
         assert len(sequence.unbroken(int(sequence.numbers[FEWEST]))) == FEWEST
 
     def test_unrelated_pictures_have_none(self, make_window, tmp_path, qtbot):
@@ -122,7 +122,7 @@ class TestWhereItIs:
         window = make_window(tmp_path)
         all_done(qtbot)
 
-        assert window.document.sequence.value is None
+        assert window.services.sequence.value is None
         assert not window.strip.isVisible()
 
     def test_few_pictures_or_names_without_order_make_no_sequence(self, shot):
@@ -150,21 +150,21 @@ class TestWhereItIs:
     def test_it_does_not_come_while_a_hand_works(self, make_window, dataset, shot, qtbot):
         window = make_window(dataset)
         all_done(qtbot)
-        document = window.document
-        document.opening.open_path(shot)
-        assert document.sequence.working
-        document.selecting.select_class("Middle line")
-        qtbot.waitUntil(lambda: document.sequence.value is not None)
+        services = window.services
+        services.opening.open_path(shot)
+        assert services.sequence.working
+        services.selection.select_class("Middle line")
+        qtbot.waitUntil(lambda: services.sequence.value is not None)
 
         assert not window.strip.isVisible()
-        document.walk.next_frame()
+        services.navigator.next_frame()
         assert window.strip.isVisible()
 
     def test_it_is_switched_off_and_remembered(self, window, make_window, shot, qtbot):
         window.actions_["strip"].trigger()
 
         assert not window.strip.isVisible()
-        window.document.walk.next_frame()
+        window.services.navigator.next_frame()
         assert not window.strip.isVisible()
         window.actions_["strip"].trigger()
         assert window.strip.isVisible()
@@ -172,15 +172,15 @@ class TestWhereItIs:
 
 class TestHands:
     def test_a_click_goes_to_a_frame_and_a_drag_along_them(self, window, qtbot):
-        strip, document = window.strip, window.document
+        strip, services = window.strip, window.services
         left = Qt.MouseButton.LeftButton
 
         QTest.mouseClick(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 112))
-        qtbot.waitUntil(lambda: document.state.frame_index == 12)
+        qtbot.waitUntil(lambda: services.state.frame_index == 12)
         QTest.mousePress(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 105))
         for number in (108, 115, 120):
             QTest.mouseMove(strip, place_of(window, number))
-        qtbot.waitUntil(lambda: document.state.frame_index == 20)
+        qtbot.waitUntil(lambda: services.state.frame_index == 20)
         QTest.mouseRelease(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 120))
 
         assert strip.number == 120
@@ -226,69 +226,69 @@ class TestHands:
         QTest.mouseRelease(strip, left, SHIFT, place_of(window, 106))
 
         assert strip.stretch == (106, 118)
-        assert window.document.state.frame_index == 0
+        assert window.services.state.frame_index == 0
 
 
 class TestKeys:
     def test_by_ten(self, window, qtbot):
-        document = window.document
+        services = window.services
 
         for expected in (10, 20, COUNT - 1):
             key(window, Qt.Key.Key_PageDown, SHIFT)
-            qtbot.waitUntil(lambda at=expected: document.state.frame_index == at)
+            qtbot.waitUntil(lambda at=expected: services.state.frame_index == at)
         key(window, Qt.Key.Key_PageUp, SHIFT)
-        qtbot.waitUntil(lambda: document.state.frame_index == COUNT - 11)
+        qtbot.waitUntil(lambda: services.state.frame_index == COUNT - 11)
 
     def test_to_annotated_frames(self, window, hand_on, qtbot):
-        document = window.document
-        document.walk.go_to(7)
+        services = window.services
+        services.navigator.go_to(7)
         hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
-        document.walk.go_to(15)
+        services.navigator.go_to(15)
         hand.draw("Middle line", (40, 40), (200, 120))
         all_done(qtbot)
 
         assert window.strip.content.anchors == (107, 115)
         key(window, Qt.Key.Key_PageUp, CTRL)
-        qtbot.waitUntil(lambda: document.state.frame_index == 7)
+        qtbot.waitUntil(lambda: services.state.frame_index == 7)
         key(window, Qt.Key.Key_PageDown, CTRL)
-        qtbot.waitUntil(lambda: document.state.frame_index == 15)
+        qtbot.waitUntil(lambda: services.state.frame_index == 15)
 
     def test_to_doubtful_frames(self, window, qtbot):
-        document = window.document
+        services = window.services
         frames = [tracked(n) for n in range(100, 124)]
         frames[9], frames[14] = tracked(109, "bridged"), tracked(114, coverage=0.2)
         take(window, frames, (100, 123))
 
         for expected in (9, 14):
             key(window, Qt.Key.Key_PageDown, ALT)
-            qtbot.waitUntil(lambda at=expected: document.state.frame_index == at)
+            qtbot.waitUntil(lambda at=expected: services.state.frame_index == at)
         key(window, Qt.Key.Key_PageUp, ALT)
-        qtbot.waitUntil(lambda: document.state.frame_index == 9)
+        qtbot.waitUntil(lambda: services.state.frame_index == 9)
 
     def test_playing_goes_on_to_the_end_and_an_edit_stops_it(self, window, qtbot):
-        document, walk = window.document, window.shot_walk
+        services, walk = window.services, window.shot_walk
 
         key(window, Qt.Key.Key_Space, SHIFT)
-        qtbot.waitUntil(lambda: document.state.frame_index > 2)
+        qtbot.waitUntil(lambda: services.state.frame_index > 2)
         window.canvas.editor.changed.emit()
         assert not walk.playing
-        document.walk.go_to(COUNT - 3)
+        services.navigator.go_to(COUNT - 3)
         key(window, Qt.Key.Key_Space, SHIFT)
         qtbot.waitUntil(lambda: not walk.playing)
 
-        assert document.state.frame_index == COUNT - 1
+        assert services.state.frame_index == COUNT - 1
 
     def test_a_menu_of_the_picture_is_of_the_frame_it_was_asked_for_on(
         self, window, qtbot, monkeypatch
     ):
-        document, seen = window.document, []
+        services, seen = window.services, []
 
         class Menu:
             def exec(self, _: QPoint) -> None:
-                before = document.state.frame_index
+                before = services.state.frame_index
                 assert not window.shot_walk.playing
-                assert not document.walk.coming
+                assert not services.navigator.coming
                 seen.append(before)
 
             def deleteLater(self) -> None:
@@ -296,37 +296,37 @@ class TestKeys:
 
         monkeypatch.setattr("procc_annotator.gui.main_window.canvas_menu", lambda *_, **__: Menu())
         key(window, Qt.Key.Key_Space, SHIFT)
-        qtbot.waitUntil(lambda: document.state.frame_index > 2)
+        qtbot.waitUntil(lambda: services.state.frame_index > 2)
         window.canvas.menuWanted.emit(QPoint())
-        assert seen == [document.state.frame_index]
+        assert seen == [services.state.frame_index]
 
     def test_a_dialog_is_about_the_frame_it_was_opened_on(self, window, qtbot):
         key(window, Qt.Key.Key_Space, SHIFT)
-        qtbot.waitUntil(lambda: window.document.state.frame_index > 2)
+        qtbot.waitUntil(lambda: window.services.state.frame_index > 2)
         dialog = QDialog(window)
         dialog.open()
         assert not window.shot_walk.playing
-        assert not window.document.walk.coming
+        assert not window.services.navigator.coming
         dialog.close()
         dialog.deleteLater()
 
     def test_a_picture_on_its_way_takes_nobody_back_who_went_elsewhere(
         self, window, qtbot, monkeypatch
     ):
-        document, visited, go = window.document, [], threading.Event()
-        decode = document.cache.get_ready
+        services, visited, go = window.services, [], threading.Event()
+        decode = services.cache.get_ready
 
         def slow(path: Path) -> object:
             go.wait(30)
             return decode(path)
 
-        monkeypatch.setattr(document.cache, "get_ready", slow)
-        document.store.watch(
-            lambda s: s.frame_index, lambda: visited.append(document.state.frame_index)
+        monkeypatch.setattr(services.cache, "get_ready", slow)
+        services.store.watch(
+            lambda s: s.frame_index, lambda: visited.append(services.state.frame_index)
         )
-        document.walk.come_to(10)
-        document.walk.come_to(20)
-        document.walk.go_to(20)
+        services.navigator.come_to(10)
+        services.navigator.come_to(20)
+        services.navigator.go_to(20)
         go.set()
         all_done(qtbot)
         assert visited == [20]
@@ -335,27 +335,27 @@ class TestKeys:
 class TestWhatItTells:
     def test_of_a_followed_frame(self, window):
         take(window, [tracked(n) for n in range(100, 120)], (100, 109), (110, 119))
-        document, content = window.document, window.strip.content
+        services, content = window.services, window.strip.content
 
         assert content.cuts == (110,)
         assert np.isnan(content.band.coverage[20:]).all()
-        assert "track" in [source.name for source in document.state.sources]
-        document.camera_sources.set_active_camera(
-            document.state.sources.index(document.shot_track.source)
+        assert "track" in [source.name for source in services.state.sources]
+        services.camera_sources.set_active_camera(
+            services.state.sources.index(services.shot_track.source)
         )
-        assert document.judge.camera is not None
-        document.walk.go_to(21)
-        assert document.judge.camera is None
-        assert document.judge.shown.notice == "not followed so far"
+        assert services.scorer.camera is not None
+        services.navigator.go_to(21)
+        assert services.scorer.camera is None
+        assert services.scorer.shown.notice == "not followed so far"
 
     def test_nothing_of_cameras_in_blind_mode(self, window):
         take(window, [tracked(n) for n in range(100, 120)], (100, 119))
 
-        window.document.blind_lock.set_blind(True)
+        window.services.blind_lock.set_blind(True)
 
         assert window.strip.content.hidden
         assert "on paint" not in strip_words(window)
-        window.document.blind_lock.set_blind(False)
+        window.services.blind_lock.set_blind(False)
         assert "on paint" in strip_words(window)
 
     def test_the_band_shows_the_window_where_nothing_is_known(self, window):
@@ -375,48 +375,48 @@ class TestWhatItTells:
     def test_another_dataset_begins_without(self, window, dataset, qtbot):
         take(window, [tracked(n) for n in range(100, 120)], (100, 119))
 
-        window.document.opening.open_path(dataset)
+        window.services.opening.open_path(dataset)
         all_done(qtbot)
 
-        assert not window.document.shot_track.tracked
-        assert not window.document.state.sources
+        assert not window.services.shot_track.tracked
+        assert not window.services.state.sources
         assert not window.strip.isVisible()
 
 
 def strip_words(window: MainWindow) -> str:
     from procc_annotator.gui.panels.timeline.shot_strip import strip_words
 
-    return strip_words(window.document, window.strip.content, window.strip.number)
+    return strip_words(window.services, window.strip.content, window.strip.number)
 
 
 def test_frames_are_gone_to_and_marked_by_keys(window, qtbot):
-    strip, document = window.strip, window.document
+    strip, services = window.strip, window.services
     strip.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(strip, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: document.state.frame_index == 1)
+    qtbot.waitUntil(lambda: services.state.frame_index == 1)
     for frame in (2, 3, 4):
         QTest.keyClick(strip, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-        qtbot.waitUntil(lambda frame=frame: document.state.frame_index == frame)
+        qtbot.waitUntil(lambda frame=frame: services.state.frame_index == frame)
     first = int(strip.content.sequence.numbers[0])
     assert strip.stretch == (first + 1, first + 4)
     QTest.keyClick(strip, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
-    qtbot.waitUntil(lambda: document.state.frame_index == 3)
+    qtbot.waitUntil(lambda: services.state.frame_index == 3)
     assert strip.stretch == (first + 1, first + 3)
     QTest.keyClick(strip, Qt.Key.Key_Escape)
     assert strip.stretch is None
     QTest.keyClick(strip, Qt.Key.Key_End)
-    qtbot.waitUntil(lambda: document.state.frame_index == COUNT - 1)
+    qtbot.waitUntil(lambda: services.state.frame_index == COUNT - 1)
     QTest.keyClick(strip, Qt.Key.Key_Home)
-    qtbot.waitUntil(lambda: document.state.frame_index == 0)
+    qtbot.waitUntil(lambda: services.state.frame_index == 0)
 
 
 def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(window, qtbot):
-    strip, document = window.strip, window.document
+    strip, services = window.strip, window.services
     strip.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyPress(strip, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: document.state.frame_index == 1)
+    qtbot.waitUntil(lambda: services.state.frame_index == 1)
     QApplication.sendEvent(strip, QFocusEvent(QEvent.Type.FocusOut))
-    document.walk.go_to(5)
+    services.navigator.go_to(5)
     assert strip.number == int(strip.content.sequence.numbers[5])
 
 
@@ -469,7 +469,7 @@ def test_what_the_band_tells_already_is_not_taken_down_again(make_window, shot, 
     window = make_window(shot)
     qtbot.waitUntil(window.strip.isVisible)
     before = {n: tracked(n) for n in range(100, 120)}
-    window.document.shot_track.replace(before, ())
+    window.services.shot_track.replace(before, ())
     taken: list[int] = []
     put = content._put
 
@@ -480,7 +480,7 @@ def test_what_the_band_tells_already_is_not_taken_down_again(make_window, shot, 
     monkeypatch.setattr(content, "_put", noted)
     after = before | {105: tracked(105, coverage=0.6)}
     del after[110]
-    window.document.shot_track.replace(after, ())
+    window.services.shot_track.replace(after, ())
 
     assert taken == [105]
     assert window.strip.content.band.coverage[5] == 0.6

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.dataset.records import FaultParty, Verdict
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.score import explain_score, worst_elements_first
 from tests.gui.conftest import Hand, MakeWindow, all_done, heard
 
@@ -31,11 +31,11 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     """The window on the sample, both sources audited, "bad" active."""
     window = make_window(sample)
     for name in SETS:
-        window.document.camera_sources.load_cameras(sample / "cameras" / name)
-    window.document.camera_sources.set_active_camera(
-        next(i for i, s in enumerate(window.document.state.sources) if s.name == "bad")
+        window.services.camera_sources.load_cameras(sample / "cameras" / name)
+    window.services.camera_sources.set_active_camera(
+        next(i for i, s in enumerate(window.services.state.sources) if s.name == "bad")
     )
-    qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
     all_done(qtbot)
     return window
 
@@ -43,16 +43,16 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
 @pytest.fixture
 def window(make_window, sample, qtbot) -> MainWindow:
     window = opened(make_window, sample, qtbot)
-    window.document.walk.go_to(0)
+    window.services.navigator.go_to(0)
     return window
 
 
-def source_of(document: Document, name: str) -> CameraSource:
-    return next(source for source in document.state.sources if source.name == name)
+def source_of(services: Services, name: str) -> CameraSource:
+    return next(source for source in services.state.sources if source.name == name)
 
 
-def verdict_on(document: Document, frame: str, name: str) -> Verdict | None:
-    return document.verdicts.verdict(frame, source_of(document, name))
+def verdict_on(services: Services, frame: str, name: str) -> Verdict | None:
+    return services.verdicts.verdict(frame, source_of(services, name))
 
 
 def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
@@ -74,7 +74,7 @@ def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> li
     names = []
     for _ in range(40):
         press(window, key, *modifiers)
-        name = window.document.state.frame.name
+        name = window.services.state.frame.name
         if names and name == names[0]:
             return names
         names.append(name)
@@ -83,97 +83,97 @@ def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> li
 
 class TestWalks:
     def test_by_jac(self, window):
-        window.document.walk.go_to(4)  # not annotated: the walk begins at the worst
+        window.services.navigator.go_to(4)  # not annotated: the walk begins at the worst
         ctrl, shift = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
         names = walk(window, Qt.Key.Key_W, ctrl, shift)
-        scores = window.document.auditing.frame_scores
+        scores = window.services.scoring.frame_scores
         assert sorted(names) == sorted(scores)
         jacs = [scores[name] for name in names]
         assert jacs == sorted(jacs)
 
     def test_begun_on_the_worst_it_says_so_and_stays(self, window):
-        document = window.document
-        worst = min(document.auditing.frame_scores, key=document.auditing.frame_scores.__getitem__)
-        document.walk.go_to(document.state.workspace.index[worst])
+        services = window.services
+        worst = min(services.scoring.frame_scores, key=services.scoring.frame_scores.__getitem__)
+        services.navigator.go_to(services.state.workspace.index[worst])
         press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
               Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
-        assert document.state.frame.name == worst
-        count = len(document.auditing.frame_scores)
+        assert services.state.frame.name == worst
+        count = len(services.scoring.frame_scores)
         assert f"1 of {count}, worst first" in window.status.hint.text()
         assert "this is the worst" in window.status.hint.text()
         press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
               Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
-        assert document.state.frame.name != worst
+        assert services.state.frame.name != worst
         assert f"2 of {count}, worst first" in window.status.hint.text()
 
     def test_by_largest_error(self, window):
-        window.document.walk.go_to(4)
+        window.services.navigator.go_to(4)
         names = walk(window, Qt.Key.Key_F3)
-        audits = window.document.state.active.audits
+        audits = window.services.state.active.audits
         errors = [float(np.nanmax(audits[name].errors_px)) for name in names]
         assert errors == sorted(errors, reverse=True)
         assert sorted(names) == sorted(n for n, a in audits.items() if len(a.errors_px))
 
     def test_an_edit_does_not_change_the_order_while_one_walks(self, window):
-        document = window.document
-        document.walk.go_to(4)
+        services = window.services
+        services.navigator.go_to(4)
         press(window, Qt.Key.Key_F3)
-        first = document.state.frame.name
+        first = services.state.frame.name
         press(window, Qt.Key.Key_F3)
-        second = document.state.frame.name
+        second = services.state.frame.name
         worst = worst_elements_first(
-            explain_score(document.judge.score, document.judge.measurement, document.state.field)
+            explain_score(services.scorer.score, services.scorer.measurement, services.state.field)
         )[0]
-        document.editing.commit_edit(
-            "clear", document.state.annotation.without(worst.annotated_name)
+        services.editing.commit_edit(
+            "clear", services.state.annotation.without(worst.annotated_name)
         )
-        document.walk.next_frame()  # a look beside
+        services.navigator.next_frame()  # a look beside
         rest = walk(window, Qt.Key.Key_F3)
         assert rest[-2:] == [first, second]
         assert len(set(rest)) == len(rest)
 
     def test_by_disagreement(self, window, qtbot):
-        window.document.walk.go_to(4)
-        before = window.document.state.frame
+        window.services.navigator.go_to(4)
+        before = window.services.state.frame
         press(window, Qt.Key.Key_F4)
-        qtbot.waitUntil(lambda: window.document.state.frame is not before, timeout=20_000)
+        qtbot.waitUntil(lambda: window.services.state.frame is not before, timeout=20_000)
         (found,) = window.worst_first._kept.values()
-        first = window.document.state.frame.name
+        first = window.services.state.frame.name
         assert found.metres[first] == max(found.metres.values()) > 0.05
         names = [first]
         for _ in range(len(found.metres) - 1):
             press(window, Qt.Key.Key_F4)
-            names.append(window.document.state.frame.name)
+            names.append(window.services.state.frame.name)
         metres = [found.metres[name] for name in names]
         assert metres == sorted(metres, reverse=True)
         assert set(names) == set(found.metres)
 
     def test_whoever_moved_on_is_not_taken_away(self, window, qtbot):
         press(window, Qt.Key.Key_F4)
-        window.document.walk.go_to(3)
+        window.services.navigator.go_to(3)
         qtbot.waitUntil(lambda: bool(window.worst_first._kept), timeout=20_000)
-        assert window.document.state.frame_index == 3
+        assert window.services.state.frame_index == 3
 
     def test_without_a_second_source_it_says_what_to_do(self, make_window, sample, qtbot):
         window = make_window(sample)
-        window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
-        with qtbot.waitSignal(window.document.store.events.message) as told:
+        window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
+        with qtbot.waitSignal(window.services.store.events.message) as told:
             press(window, Qt.Key.Key_F4)
         assert "two sources are needed" in told.args[0].text
 
 
 class TestVerdicts:
     def test_one_key_marks_and_the_same_key_takes_it_back(self, window, qtbot):
-        document = window.document
-        frame = document.state.frame.name
+        services = window.services
+        frame = services.state.frame.name
         press(window, Qt.Key.Key_F7)
-        assert verdict_on(document, frame, "bad").fault is FaultParty.CAMERA
-        assert verdict_on(document, frame, "true") is None
+        assert verdict_on(services, frame, "bad").fault is FaultParty.CAMERA
+        assert verdict_on(services, frame, "true") is None
         assert window.frames.model.info(0).verdict is FaultParty.CAMERA
         press(window, Qt.Key.Key_F8)
-        assert verdict_on(document, frame, "bad").fault is FaultParty.ANNOTATION
+        assert verdict_on(services, frame, "bad").fault is FaultParty.ANNOTATION
         press(window, Qt.Key.Key_F8)
-        assert verdict_on(document, frame, "bad") is None
+        assert verdict_on(services, frame, "bad") is None
         assert window.frames.model.info(0).verdict is None
 
     def test_the_buttons_say_it_and_mark_too(self, window, qtbot):
@@ -182,25 +182,25 @@ class TestVerdicts:
         press(window, Qt.Key.Key_F7)
         qtbot.waitUntil(buttons[FaultParty.CAMERA].isChecked)
         qtbot.mouseClick(buttons[FaultParty.FINE], Qt.MouseButton.LeftButton)
-        assert verdict_on(window.document, "00001", "bad").fault is FaultParty.FINE
+        assert verdict_on(window.services, "00001", "bad").fault is FaultParty.FINE
         assert not buttons[FaultParty.CAMERA].isChecked()
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         qtbot.waitUntil(lambda: not buttons[FaultParty.FINE].isChecked())
 
     def test_it_is_there_when_the_dataset_is_opened_again_and_exported(
         self, window, make_window, sample, qtbot, tmp_path
     ):
         press(window, Qt.Key.Key_F7)
-        window.document.walk.go_to(2)
+        window.services.navigator.go_to(2)
         press(window, Qt.Key.Key_F9)
-        document = window.document
-        document.verdicts.set_verdict(
-            "00003", source_of(document, "bad"), FaultParty.FINE, "as sharp as it gets"
+        services = window.services
+        services.verdicts.set_verdict(
+            "00003", source_of(services, "bad"), FaultParty.FINE, "as sharp as it gets"
         )
-        jac = window.document.auditing.frame_scores["00003"]
+        jac = window.services.scoring.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
-        assert verdict_on(again.document, "00001", "bad").fault is FaultParty.CAMERA
+        assert verdict_on(again.services, "00001", "bad").fault is FaultParty.CAMERA
         path = tmp_path / "verdicts.csv"
         again.triage.export(path)
         qtbot.waitUntil(path.exists)
@@ -211,14 +211,14 @@ class TestVerdicts:
         assert second["comment"] == "as sharp as it gets"
         assert float(second["jac@5px"]) == pytest.approx(jac, abs=1e-5)
         assert float(second["largest_error_px"]) == pytest.approx(
-            np.nanmax(again.document.state.active.audits["00003"].errors_px), abs=2e-3
+            np.nanmax(again.services.state.active.audits["00003"].errors_px), abs=2e-3
         )
 
     def test_they_go_along_when_their_source_gets_another_name(self, window, qtbot, tmp_path):
-        document = window.document
+        services = window.services
         window.panels.show("scores")
         press(window, Qt.Key.Key_F7)
-        document.camera_sources.rename_source(document.state.active, "vendor X")
+        services.camera_sources.rename_source(services.state.active, "vendor X")
         assert window.frames.model.info(0).verdict is FaultParty.CAMERA
         qtbot.waitUntil(window.scores.verdict.buttons[FaultParty.CAMERA].isChecked)
         (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
@@ -228,26 +228,26 @@ class TestVerdicts:
     def test_another_source_of_the_same_name_does_not_inherit_them(
         self, window, sample, qtbot, tmp_path
     ):
-        document = window.document
+        services = window.services
         press(window, Qt.Key.Key_F7)
-        document.camera_sources.remove_camera_set(
-            document.state.sources.index(document.state.active)
+        services.camera_sources.remove_camera_set(
+            services.state.sources.index(services.state.active)
         )
         other = tmp_path / "elsewhere" / "bad"
         shutil.copytree(sample / "cameras" / "true", other)
-        document.camera_sources.load_cameras(other)
-        assert document.state.active.name == "bad"
+        services.camera_sources.load_cameras(other)
+        assert services.state.active.name == "bad"
         assert window.frames.model.info(0).verdict is None
         (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
         assert row["problem"] == "the source cameras/bad is not loaded"
         assert row["jac@5px"] == ""
         press(window, Qt.Key.Key_F9)  # says nothing of the one that is gone
-        document.camera_sources.load_cameras(sample / "cameras" / "bad", name="back again")
+        services.camera_sources.load_cameras(sample / "cameras" / "bad", name="back again")
         assert window.frames.model.info(0).verdict is FaultParty.CAMERA
 
     def test_the_frames_can_be_filtered_by_it(self, window, qtbot):
         for index in (1, 5):
-            window.document.walk.go_to(index)
+            window.services.navigator.go_to(index)
             press(window, Qt.Key.Key_F8)
         window.frames.filter.setText("verdict:annotation")
         qtbot.waitUntil(lambda: window.frames.model.rowCount() == 2)
@@ -255,24 +255,24 @@ class TestVerdicts:
         qtbot.waitUntil(lambda: window.frames.model.rowCount() == 1)
 
     def test_blind_nothing_is_marked_or_shown(self, window, qtbot):
-        document = window.document
+        services = window.services
         press(window, Qt.Key.Key_F7)
-        document.blind_lock.set_blind(True)
+        services.blind_lock.set_blind(True)
         assert window.frames.model.info(0).verdict is None
-        with qtbot.waitSignal(document.store.events.message) as told:
+        with qtbot.waitSignal(services.store.events.message) as told:
             press(window, Qt.Key.Key_F7)
         assert "blind" in told.args[0].text
-        document.blind_lock.set_blind(False)
-        assert verdict_on(document, "00001", "bad").fault is FaultParty.CAMERA
+        services.blind_lock.set_blind(False)
+        assert verdict_on(services, "00001", "bad").fault is FaultParty.CAMERA
 
     def test_blind_verdicts_on_committed_frames_only_are_exported(self, window, qtbot, tmp_path):
-        document = window.document
+        services = window.services
         for index in (0, 1):
-            document.walk.go_to(index)
+            services.navigator.go_to(index)
             press(window, Qt.Key.Key_F7)
-        document.editing.commit_frame()
-        document.blind_lock.set_blind(True)
-        told = heard(document)
+        services.editing.commit_frame()
+        services.blind_lock.set_blind(True)
+        told = heard(services)
         (shown,) = exported(window, tmp_path / "verdicts.csv", qtbot)
         assert "leaves out 1 " in told[-1]
         assert shown["frame"] == "00002"
@@ -280,7 +280,7 @@ class TestVerdicts:
         assert shown["largest_error_px"]
 
     def test_nothing_to_export_is_said(self, window, qtbot, tmp_path):
-        with qtbot.waitSignal(window.document.store.events.message) as told:
+        with qtbot.waitSignal(window.services.store.events.message) as told:
             window.triage.export(tmp_path / "v.csv")
         assert "no frame has a verdict" in told.args[0].text
         assert not (tmp_path / "v.csv").exists()
@@ -304,70 +304,70 @@ class TestStatusLine:
         assert "00001: camera fault" in self.told(window)
         all_done(qtbot)
         press(window, Qt.Key.Key_D)
-        assert window.document.state.frame.name == "00002"
+        assert window.services.state.frame.name == "00002"
         assert "00001" not in self.told(window)
 
     def test_what_leaving_a_frame_did_stays(self, window, qtbot):
         hand = Hand(window)
-        window.document.walk.go_to(4)
-        window.document.selecting.select_class("Middle line")
+        window.services.navigator.go_to(4)
+        window.services.selection.select_class("Middle line")
         hand.click(400, 200)
         hand.click(420, 400)
         all_done(qtbot)
-        window.document.walk.next_frame()
+        window.services.navigator.next_frame()
         assert "finished" in self.told(window)
 
 
 class TestExplainer:
     @pytest.fixture
     def panel(self, window, qtbot):
-        window.document.walk.go_to(1)
+        window.services.navigator.go_to(1)
         window.panels.show("scores")
         # The panel says in its own time what the frame before had no more than three rows of.
         qtbot.waitUntil(lambda: len(window.scores.model.rows) > 3)
         return window.scores
 
     def test_every_row_says_why(self, window, panel):
-        document = window.document
+        services = window.services
         expected = worst_elements_first(
-            explain_score(document.judge.score, document.judge.measurement, document.state.field)
+            explain_score(services.scorer.score, services.scorer.measurement, services.state.field)
         )
         assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
         assert any("too far: point" in row.why for row in panel.model.rows)
 
     def test_a_click_selects_flies_and_says_why(self, window, panel, qtbot):
-        document = window.document
+        services = window.services
         rect = panel.table.visualRect(panel.model.index(0, 0))
-        with qtbot.waitSignal(document.store.events.flyTo) as flown:
+        with qtbot.waitSignal(services.store.events.flyTo) as flown:
             qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
         row, element = panel.model.rows[0], panel.model.elements[0]
-        assert document.state.selection.point == (row.class_name, element.deciding_point)
-        point = document.state.annotation.get(row.class_name).points[element.deciding_point]
-        width, height = document.state.picture_size
+        assert services.state.selection.point == (row.class_name, element.deciding_point)
+        point = services.state.annotation.get(row.class_name).points[element.deciding_point]
+        width, height = services.state.picture_size
         assert flown.args == pytest.approx([point.u * (width - 1), point.v * (height - 1)])
         qtbot.waitUntil(lambda: panel.why.text() == row.why)
 
     def test_arrows_and_enter_do_the_same(self, window, panel, qtbot):
-        document = window.document
+        services = window.services
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         panel.table.selectRow(0)
-        with qtbot.waitSignal(document.store.events.flyTo):
+        with qtbot.waitSignal(services.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Down)
-        assert document.state.selected_class == panel.model.rows[1].class_name
+        assert services.state.selected_class == panel.model.rows[1].class_name
         qtbot.waitUntil(lambda: panel.why.text() == panel.model.rows[1].why)
-        with qtbot.waitSignal(document.store.events.flyTo):
+        with qtbot.waitSignal(services.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Return)
 
     def test_selecting_elsewhere_does_not_fly(self, window, panel, qtbot):
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
-        with qtbot.assertNotEmitted(window.document.store.events.flyTo, wait=150):
-            window.document.selecting.select_class(panel.model.rows[2].class_name)
+        with qtbot.assertNotEmitted(window.services.store.events.flyTo, wait=150):
+            window.services.selection.select_class(panel.model.rows[2].class_name)
         assert panel.why.text() == panel.model.rows[2].why
 
     def test_the_sentence_is_never_cut_off(self, window, panel, qtbot):
-        document = window.document
+        services = window.services
         longest = max(panel.model.rows, key=lambda row: len(row.why))
-        document.selecting.select_class(longest.class_name)
+        services.selection.select_class(longest.class_name)
         qtbot.waitUntil(lambda: panel.why.text() == longest.why)
         all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())

@@ -34,9 +34,9 @@ def enter(window: MainWindow) -> None:
 @pytest.fixture
 def both(make_window, dataset) -> tuple[MainWindow, MainWindow]:
     first, second = make_window(dataset), make_window(dataset)
-    first.document.set_author("Ada")
-    first.document.presence.set_dataset(dataset, "Ada")
-    first.document.presence.enter("frame_0")
+    first.services.set_author("Ada")
+    first.services.frame_lock.set_dataset(dataset, "Ada")
+    first.services.frame_lock.enter("frame_0")
     return first, second
 
 
@@ -54,37 +54,37 @@ def on_disk(dataset) -> OnDisk:
 def test_the_second_window_sees_who_is_editing_and_cannot_click(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.presence.look()
-    assert not second.document.state.editable
+    second.services.frame_lock.look()
+    assert not second.services.state.editable
     assert "Ada" in second.frame_bar.label.text()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.state.annotation.get(TOP) is None
+    assert second.services.state.annotation.get(TOP) is None
     assert not second.canvas.editor.drawing
 
 
 def test_an_edit_that_finds_the_lock_free_again_opens_the_frame(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.presence.look()
-    first.document.presence.close()
-    annotation = second.document.state.annotation
+    second.services.frame_lock.look()
+    first.services.frame_lock.close()
+    annotation = second.services.state.annotation
     moved = annotation.with_polyline(Polyline(TOP, (Point(0.1, 0.1), Point(0.3, 0.1))))
-    assert second.document.editing.commit_edit("late", moved)  # of a gesture that had begun before
-    assert second.document.state.editable
+    assert second.services.editing.commit_edit("late", moved)  # of a gesture that had begun before
+    assert second.services.state.editable
     assert second.frame_bar.isHidden()
 
 
 def test_who_looks_only_blocks_nobody(both, hand_on):
     _, second = both
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.state.annotation.get(TOP) is not None
+    assert second.services.state.annotation.get(TOP) is not None
 
 
 def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(both, hand_on):
     first, second = both
-    first.document.selecting.select_class(MIDDLE)
+    first.services.selection.select_class(MIDDLE)
     hand_on(first).click(100, 100)  # not finished, nothing saved yet
-    second.document.selecting.select_class(TOP)
+    second.services.selection.select_class(TOP)
     hand_on(second).click(100, 50)
     assert not second.canvas.editor.drawing
     assert "Ada" in second.message_bar.label.text()
@@ -93,22 +93,22 @@ def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(both, han
 def test_it_opens_by_itself_with_the_newer_file_once_the_other_leaves(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.presence.look()
-    first.document.walk.next_frame()
-    second.document.presence.look()
-    assert second.document.state.editable
-    assert second.document.state.annotation.annotated == (MIDDLE,)
+    second.services.frame_lock.look()
+    first.services.navigator.next_frame()
+    second.services.frame_lock.look()
+    assert second.services.state.editable
+    assert second.services.state.annotation.annotated == (MIDDLE,)
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.state.annotation.annotated == (MIDDLE, TOP)
-    assert not second.document.saver.problems
+    assert second.services.state.annotation.annotated == (MIDDLE, TOP)
+    assert not second.services.saver.problems
 
 
 def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.document.walk.next_frame()  # the second window has not looked in between
+    first.services.navigator.next_frame()  # the second window has not looked in between
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.state.annotation.annotated == (MIDDLE, TOP)
+    assert second.services.state.annotation.annotated == (MIDDLE, TOP)
 
 
 def test_a_lock_that_was_cleared_away_is_taken_again(both, hand_on, dataset, tmp_path):
@@ -116,14 +116,14 @@ def test_a_lock_that_was_cleared_away_is_taken_again(both, hand_on, dataset, tmp
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     enter(first)
     _clear_away(dataset / ".procc", tmp_path)
-    first.document.presence.beat()
-    second.document.presence.look()
-    assert not second.document.state.editable
+    first.services.frame_lock.beat()
+    second.services.frame_lock.look()
+    assert not second.services.state.editable
     _clear_away(dataset / ".procc" / "locks", tmp_path)
     hand_on(first).draw(TOP, (100, 50), (200, 50))  # before the next beat
     enter(first)
-    second.document.presence.look()
-    assert not second.document.state.editable
+    second.services.frame_lock.look()
+    assert not second.services.state.editable
 
 
 def test_a_frame_somebody_else_had_meanwhile_is_read_again(both, hand_on, dataset, tmp_path):
@@ -133,20 +133,20 @@ def test_a_frame_somebody_else_had_meanwhile_is_read_again(both, hand_on, datase
     _clear_away(
         dataset / ".procc" / "locks", tmp_path
     )  # as if it had expired while the first one slept
-    second.document.presence.look()
+    second.services.frame_lock.look()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.walk.next_frame()
-    first.document.presence.beat()
-    assert first.document.state.annotation.annotated == (MIDDLE, TOP)
-    assert not first.document.saver.problems
+    second.services.navigator.next_frame()
+    first.services.frame_lock.beat()
+    assert first.services.state.annotation.annotated == (MIDDLE, TOP)
+    assert not first.services.saver.problems
 
 
 def test_another_frame_is_free(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.walk.next_frame()
+    second.services.navigator.next_frame()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.state.annotation.annotated == (TOP,)
+    assert second.services.state.annotation.annotated == (TOP,)
 
 
 def test_a_closed_window_leaves_no_lock(both, hand_on, dataset):
@@ -172,168 +172,168 @@ def test_the_lock_of_a_killed_program_is_gone_at_once(make_window, dataset, hand
     assert done.returncode < 0
     window = make_window(dataset)
     hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
-    assert window.document.state.annotation.annotated == (MIDDLE,)
+    assert window.services.state.annotation.annotated == (MIDDLE,)
 
 
 def test_statuses_and_comments_of_the_other_window_arrive(both, qtbot):
     first, second = both
-    first.document.review.add_comment("frame_0", "look here")
-    first.document.review.database.flush(5.0)
+    first.services.review.add_comment("frame_0", "look here")
+    first.services.review.database.flush(5.0)
 
     def arrived() -> bool:
-        second.document.review.poll()
-        return [c.text for c in second.document.review.comments("frame_0")] == ["look here"]
+        second.services.review.poll()
+        return [c.text for c in second.services.review.comments("frame_0")] == ["look here"]
 
     qtbot.waitUntil(arrived)
 
 
 def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(both, hand_on, dataset):
     first, second = both
-    first.document.selecting.select_class(MIDDLE)
+    first.services.selection.select_class(MIDDLE)
     hand = hand_on(first)
     hand.click(100, 100)
     hand.click(200, 200)
     for lock in (dataset / ".procc" / "locks").iterdir():  # as if this machine had slept
         lock.unlink()
-    assert second.document.presence.acquire()
-    first.document.presence.beat()
+    assert second.services.frame_lock.acquire()
+    first.services.frame_lock.beat()
     enter(first)  # the other window has the keyboard
-    assert first.document.state.annotation.annotated == (MIDDLE,)
+    assert first.services.state.annotation.annotated == (MIDDLE,)
     assert (dataset / "frame_0.json").exists()
 
 
 def test_a_menu_edit_keeps_what_the_other_window_clicked(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.presence.look()
-    first.document.walk.next_frame()
-    second.document.presence.look()
-    assert second.document.state.annotation.annotated == (MIDDLE,)
-    first.document.walk.previous_frame()
+    second.services.frame_lock.look()
+    first.services.navigator.next_frame()
+    second.services.frame_lock.look()
+    assert second.services.state.annotation.annotated == (MIDDLE,)
+    first.services.navigator.previous_frame()
     hand_on(first).draw(TOP, (100, 50), (200, 50))
-    first.document.walk.next_frame()  # the second window has not looked in between
-    second.document.selecting.select_class(MIDDLE)
+    first.services.navigator.next_frame()  # the second window has not looked in between
+    second.services.selection.select_class(MIDDLE)
     second.element_edits.change_class("Side line bottom")
-    assert second.document.state.annotation.annotated == ("Side line bottom", TOP)
+    assert second.services.state.annotation.annotated == ("Side line bottom", TOP)
 
 
 def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.presence.look()
-    first.document.walk.next_frame()
-    second.document.presence.look()
-    first.document.walk.previous_frame()
-    first.document.selecting.select_class(MIDDLE)
+    second.services.frame_lock.look()
+    first.services.navigator.next_frame()
+    second.services.frame_lock.look()
+    first.services.navigator.previous_frame()
+    first.services.selection.select_class(MIDDLE)
     first.element_edits.change_class(TOP)
-    first.document.walk.next_frame()
-    second.document.selecting.select_class(MIDDLE)
+    first.services.navigator.next_frame()
+    second.services.selection.select_class(MIDDLE)
     second.element_edits.reverse()
-    assert second.document.state.annotation.annotated == (TOP,)
+    assert second.services.state.annotation.annotated == (TOP,)
     assert "changed elsewhere" in second.status.hint.text()
 
 
 def test_a_remedy_keeps_what_the_other_window_clicked(both, hand_on, qtbot):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 102), (300, 100), (400, 200), (500, 100))
-    second.document.presence.look()
-    first.document.walk.next_frame()
-    second.document.presence.look()
-    check = second.document.label_check
+    second.services.frame_lock.look()
+    first.services.navigator.next_frame()
+    second.services.frame_lock.look()
+    check = second.services.label_check
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
     found = check.shown[0]
     remedy = Remedy(RemedyKind.RELABEL, "relabel", ((MIDDLE, "Side line bottom"),))
-    first.document.walk.previous_frame()
+    first.services.navigator.previous_frame()
     hand_on(first).draw(TOP, (100, 50), (200, 50))
-    first.document.walk.next_frame()
+    first.services.navigator.next_frame()
     second.label_check.apply(found, remedy)
-    assert second.document.state.annotation.annotated == ("Side line bottom", TOP)
-    second.document.editing.undo()
-    second.document.walk.next_frame()
-    first.document.walk.previous_frame()
-    first.document.presence.look()
+    assert second.services.state.annotation.annotated == ("Side line bottom", TOP)
+    second.services.editing.undo()
+    second.services.navigator.next_frame()
+    first.services.navigator.previous_frame()
+    first.services.frame_lock.look()
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.document.walk.next_frame()
-    second.document.walk.previous_frame()
+    first.services.navigator.next_frame()
+    second.services.navigator.previous_frame()
     second.label_check.apply(found, remedy)
-    assert second.document.state.annotation.get("Side line bottom") is None
+    assert second.services.state.annotation.get("Side line bottom") is None
 
 
 def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(both, qtbot):
     first, second = both
-    told = heard(second.document)
-    first.document.blind_lock.set_locked(True)
-    first.document.review.database.flush(5.0)
-    review = second.document.review
+    told = heard(second.services)
+    first.services.blind_lock.set_locked(True)
+    first.services.review.database.flush(5.0)
+    review = second.services.review
 
     def looked() -> bool:
         review.add_comment("frame_0", "busy")  # before every look, as by a busy hand
         review.poll()
-        return second.document.state.blind
+        return second.services.state.blind
 
     qtbot.waitUntil(looked, timeout=20_000)
     assert [text for text in told if "locked this dataset to blind mode on" in text]
-    assert first.document.state.blind
+    assert first.services.state.blind
 
 
 def _seen_by_both(first: MainWindow, second: MainWindow, hand: Hand, frame: int = 0) -> None:
     """The first window draws an element; the second one reads it and looks no more."""
     elsewhere = 1 if frame == 0 else 0
-    first.document.walk.go_to(frame)
+    first.services.navigator.go_to(frame)
     hand.draw(MIDDLE, (100, 100), (150, 150), (200, 200))
-    first.document.walk.go_to(elsewhere)
-    second.document.walk.go_to(frame)
-    second.document.editing.begin_edit()
-    second.document.walk.go_to(elsewhere)
-    second.document.walk.go_to(frame)
-    assert second.document.state.annotation.annotated == (MIDDLE,)
-    first.document.walk.go_to(frame)
+    first.services.navigator.go_to(elsewhere)
+    second.services.navigator.go_to(frame)
+    second.services.editing.begin_edit()
+    second.services.navigator.go_to(elsewhere)
+    second.services.navigator.go_to(frame)
+    assert second.services.state.annotation.annotated == (MIDDLE,)
+    first.services.navigator.go_to(frame)
 
 
 def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(both, hand_on, on_disk):
     first, second = both
-    second.document.selecting.set_mode("edit")
+    second.services.selection.set_mode("edit")
     for frame, key in enumerate(("Delete", "Left", "element")):
         _seen_by_both(first, second, hand_on(first), frame)
         if key == "element":
-            second.document.selecting.select_point(None)
-            second.document.selecting.select_class(MIDDLE)
+            second.services.selection.select_point(None)
+            second.services.selection.select_class(MIDDLE)
         else:
-            second.document.selecting.select_point(MIDDLE, 1)
-        before = second.document.state.annotation.get(MIDDLE)
+            second.services.selection.select_point(MIDDLE, 1)
+        before = second.services.state.annotation.get(MIDDLE)
         hand_on(first).draw(TOP, (100, 50), (200, 50))
-        first.document.walk.go_to(1 if frame == 0 else 0)
+        first.services.navigator.go_to(1 if frame == 0 else 0)
         if key == "Left":
             second.canvas.arrow(key, 1.0)
         else:
             second.canvas.key("Delete")
-        assert on_disk(frame) == second.document.state.annotation.annotated
+        assert on_disk(frame) == second.services.state.annotation.annotated
         assert TOP in on_disk(frame)
-        assert second.document.state.annotation.get(MIDDLE) != before  # and it did what it is for
-    assert not second.document.saver.problems
+        assert second.services.state.annotation.get(MIDDLE) != before  # and it did what it is for
+    assert not second.services.saver.problems
 
 
 def test_a_key_on_what_the_other_window_changed_is_not_done(both, hand_on):
     first, second = both
     _seen_by_both(first, second, hand_on(first))
-    second.document.selecting.set_mode("edit")
-    second.document.selecting.select_point(MIDDLE, 2)
-    first.document.selecting.set_mode("edit")
-    first.document.selecting.select_point(MIDDLE, 0)
+    second.services.selection.set_mode("edit")
+    second.services.selection.select_point(MIDDLE, 2)
+    first.services.selection.set_mode("edit")
+    first.services.selection.select_point(MIDDLE, 0)
     first.canvas.key("Delete")
-    newer = first.document.state.annotation
-    first.document.walk.next_frame()
+    newer = first.services.state.annotation
+    first.services.navigator.next_frame()
     for _ in range(2):  # nor does the second one take the whole element for the point
         second.canvas.key("Delete")
-        assert second.document.state.annotation == newer
-    assert not second.document.saver.problems
+        assert second.services.state.annotation == newer
+    assert not second.services.saver.problems
 
 
 def let_go(window: MainWindow) -> None:
     """The window shows the frame, does not edit it, and did not notice yet what others write."""
-    window.document.walk.next_frame()
-    window.document.walk.previous_frame()
-    window.document.outside.close()
+    window.services.navigator.next_frame()
+    window.services.navigator.previous_frame()
+    window.services.outside_changes.close()
 
 
 def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(both, hand_on, on_disk):
@@ -343,50 +343,50 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(both, hand_
         if direction == "redo":
             hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
             enter(first)  # the other window has the keyboard
-            first.document.editing.undo()
+            first.services.editing.undo()
         let_go(first)
         hand_on(second).draw(TOP, (100, 50), (200, 50))
-        second.document.walk.next_frame()
-        getattr(first.document.editing, direction)()
-        assert on_disk(frame) == first.document.state.annotation.annotated == (MIDDLE, TOP)
+        second.services.navigator.next_frame()
+        getattr(first.services.editing, direction)()
+        assert on_disk(frame) == first.services.state.annotation.annotated == (MIDDLE, TOP)
         assert "changed elsewhere" in first.status.hint.text()
-        first.document.walk.next_frame()
+        first.services.navigator.next_frame()
 
 
 def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(both, hand_on, on_disk):
     first, second = both
     hand_on(second).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.walk.next_frame()
+    second.services.navigator.next_frame()
     hand_on(first).draw(TOP, (100, 50), (200, 50))
-    second.document.walk.previous_frame()
-    first.document.walk.next_frame()
-    second.document.presence.look()  # it opens by itself
-    assert second.document.state.annotation.annotated == (MIDDLE, TOP)
+    second.services.navigator.previous_frame()
+    first.services.navigator.next_frame()
+    second.services.frame_lock.look()  # it opens by itself
+    assert second.services.state.annotation.annotated == (MIDDLE, TOP)
     hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
-    second.document.editing.undo()
+    second.services.editing.undo()
     for _ in range(2):
-        second.document.editing.undo()
+        second.services.editing.undo()
         assert on_disk() == (MIDDLE, TOP)
         assert "undo once more takes that away" in second.status.hint.text()
-        second.document.selecting.select_class("Side line bottom")
+        second.services.selection.select_class("Side line bottom")
         hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
-        second.document.editing.undo()
-    second.document.editing.undo()
-    second.document.editing.undo()
+        second.services.editing.undo()
+    second.services.editing.undo()
+    second.services.editing.undo()
     assert on_disk() == (MIDDLE,)
-    second.document.editing.redo()
+    second.services.editing.redo()
     assert on_disk() == (MIDDLE, TOP)
 
 
 def test_nobody_commits_what_they_have_not_seen(both, hand_on):
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.document.walk.next_frame()
-    second.document.editing.commit_frame()
-    assert second.document.state.annotation.annotated == (MIDDLE,)
-    assert not second.document.review.record("frame_0").committed
-    second.document.editing.commit_frame()
-    assert second.document.review.record("frame_0").committed
+    first.services.navigator.next_frame()
+    second.services.editing.commit_frame()
+    assert second.services.state.annotation.annotated == (MIDDLE,)
+    assert not second.services.review.record("frame_0").committed
+    second.services.editing.commit_frame()
+    assert second.services.review.record("frame_0").committed
 
 
 @pytest.mark.parametrize("in_the_middle", [True, False])
@@ -396,39 +396,39 @@ def test_a_lost_lock_costs_nobody_an_element(
     first, second = both
     hand = hand_on(first)
     hand.draw(MIDDLE, (100, 100), (200, 200))
-    first.document.selecting.select_class("Side line bottom")
+    first.services.selection.select_class("Side line bottom")
     if in_the_middle:
         hand.click(100, 300)
         hand.click(200, 300)
     until_kept()
     _clear_away(dataset / ".procc" / "locks", tmp_path)  # as if it had expired in its sleep
-    second.document.presence.look()
+    second.services.frame_lock.look()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.walk.next_frame()
+    second.services.navigator.next_frame()
     if not in_the_middle:
         hand.click(100, 300)
         hand.click(200, 300)
     enter(first)  # before the next beat
     assert TOP in on_disk()
-    assert "Side line bottom" in first.document.state.annotation.annotated
+    assert "Side line bottom" in first.services.state.annotation.annotated
     if in_the_middle:
         assert first.conflict_bar.isVisible()
     else:
         assert on_disk() == (MIDDLE, TOP, "Side line bottom")
-        assert not first.document.saver.problems
+        assert not first.services.saver.problems
 
 
 def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
     both, hand_on, on_disk, tmp_path, qtbot
 ):
     first, second = both
-    first.document.walk.next_frame()  # both frames were read while they were empty
+    first.services.navigator.next_frame()  # both frames were read while they were empty
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     points = [{"x": 0.1, "y": 0.1}, {"x": 0.2, "y": 0.2}]
     for frame in (0, 1):
         hand_on(second).draw(TOP, (100, 50), (200, 50))
-        second.document.walk.next_frame()
+        second.services.navigator.next_frame()
         (foreign / f"frame_{frame}.json").write_text(json.dumps({MIDDLE: points}))
     importer = first.importer
     importer.ask()
@@ -446,12 +446,12 @@ def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
-    database = first.document.review.database
+    database = first.services.review.database
     oldest = database.versions("frame_0")[-1]
     let_go(first)
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.walk.next_frame()
-    apply_version(first.document, oldest.id)
+    second.services.navigator.next_frame()
+    apply_version(first.services, oldest.id)
     assert TOP in on_disk()
-    apply_version(first.document, oldest.id)  # now it was seen
+    apply_version(first.services, oldest.id)  # now it was seen
     assert on_disk() == (MIDDLE,)

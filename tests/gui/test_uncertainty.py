@@ -21,9 +21,9 @@ SEEN = (-40.0, 5.0)  # on the ground, metres
 def shown(make_window, annotated, qtbot) -> MainWindow:
     """The sample with the map over its second frame."""
     window = make_window(annotated)
-    window.document.walk.go_to(FRAME)
-    qtbot.waitUntil(lambda: window.document.live_fit.result is not None)
-    qtbot.waitUntil(lambda: window.document.map_sight.shown is not None)
+    window.services.navigator.go_to(FRAME)
+    qtbot.waitUntil(lambda: window.services.live_fit.result is not None)
+    qtbot.waitUntil(lambda: window.services.visible_region.shown is not None)
     QApplication.processEvents()
     window.plain, window.plain_map = pixels(window), map_image(window)
     window.actions_["uncertainty"].trigger()
@@ -37,7 +37,7 @@ def person(shown) -> Hand:
 
 
 def arrive(window: MainWindow, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: window.document.uncertainty.value is not None)
+    qtbot.waitUntil(lambda: window.services.uncertainty.value is not None)
     QApplication.processEvents()
 
 
@@ -66,19 +66,19 @@ def test_what_is_seen_of_the_field_is_covered(shown):
 
 
 def test_the_legend_gives_the_shares(shown):
-    document, legend = shown.document, shown.canvas.maps.legend
-    expected = map_ground_uncertainty(document.live_fit.result, document.state.field)
+    services, legend = shown.services, shown.canvas.maps.legend
+    expected = map_ground_uncertainty(services.live_fit.result, services.state.field)
     assert legend.isVisible()
     assert legend.lines == tuple(
         f"{m:g} m: {100 * expected.share_within_m(m):.0f} % of the field in sight"
         for m in (0.1, 0.5, 1.0)
     )
-    assert f"fitted camera ({document.live_fit.result.model})" in legend.title
+    assert f"fitted camera ({services.live_fit.result.model})" in legend.title
     assert f"median {expected.statistics.median:.2f}" in legend.accessibleName()
 
 
 def test_the_status_line_says_it_of_the_cursor(shown, person):
-    fit = shown.document.live_fit.result
+    fit = shown.services.live_fit.result
     for x, y in ((640.0, 500.0), (300.0, 640.0)):
         person.move(x, y)
         ground = ground_from_px(fit.camera, np.array([person.picture(x, y)]))
@@ -90,50 +90,50 @@ def test_the_status_line_says_it_of_the_cursor(shown, person):
 
 
 def test_never_of_the_fit_before_an_edit(shown, qtbot):
-    document = shown.document
-    before = document.uncertainty.value
-    document.selecting.select_class("Side line left")
+    services = shown.services
+    before = services.uncertainty.value
+    services.selection.select_class("Side line left")
     shown.actions_["delete_element"].trigger()
-    assert document.uncertainty.value is None
+    assert services.uncertainty.value is None
     assert shown.canvas.maps.legend.lines[0] == "0.1 m: …"
     arrive(shown, qtbot)
-    after = document.uncertainty.value
-    assert after.values.fit is document.live_fit.result
+    after = services.uncertainty.value
+    assert after.values.fit is services.live_fit.result
     assert after.values.statistics.median > before.values.statistics.median
 
 
 def test_another_frame_has_its_own(shown, qtbot):
-    document = shown.document
+    services = shown.services
     for index in (2, 3, FRAME + 1):
-        document.walk.go_to(index)
-        assert document.uncertainty.value is None
+        services.navigator.go_to(index)
+        assert services.uncertainty.value is None
     arrive(shown, qtbot)
-    assert document.uncertainty.value.values.fit is document.live_fit.result
+    assert services.uncertainty.value.values.fit is services.live_fit.result
 
 
 def test_without_a_camera_it_says_why(shown, qtbot):
     legend = shown.canvas.maps.legend
-    shown.document.walk.go_to(BARE)
+    shown.services.navigator.go_to(BARE)
     qtbot.waitUntil(lambda: "3 needed" in legend.problem)
     assert legend.isVisible()
     assert (legend.title, legend.lines) == ("", ())
 
 
 def test_blind_mode_hides_it(shown, qtbot):
-    document, legend = shown.document, shown.canvas.maps.legend
-    document.blind_lock.set_blind(True)
-    assert document.uncertainty.value is None
+    services, legend = shown.services, shown.canvas.maps.legend
+    services.blind_lock.set_blind(True)
+    assert services.uncertainty.value is None
     assert legend.problem.startswith("Blind")
     assert (legend.title, legend.lines) == ("", ())
     assert shown.status.good_to.text() == ""
     at = shown.field_map.to_widget(*SEEN).toPoint()
     assert map_image(shown).pixel(at) == ground_colour(shown.field_map.palette()).rgb()
-    document.blind_lock.set_blind(False)
+    services.blind_lock.set_blind(False)
     arrive(shown, qtbot)
 
 
 def test_without_the_live_fit_there_is_none(shown, qtbot):
-    live, legend = shown.document.live_fit, shown.canvas.maps.legend
+    live, legend = shown.services.live_fit, shown.canvas.maps.legend
     live.set_wanted(False)
     assert "live fit is off" in legend.problem
     live.set_wanted(True)
@@ -160,23 +160,23 @@ def test_hiding_overlays_hides_it(shown):
 
 
 def test_it_and_the_disagreement_take_turns(shown, annotated, qtbot):
-    document, legend = shown.document, shown.canvas.maps.legend
+    services, legend = shown.services, shown.canvas.maps.legend
     for name in ("true", "bad"):
-        assert document.camera_sources.load_cameras(annotated / "cameras" / name)
+        assert services.camera_sources.load_cameras(annotated / "cameras" / name)
     shown.actions_["disagreement"].trigger()
     assert not shown.actions_["uncertainty"].isChecked()
-    qtbot.waitUntil(lambda: document.disagreement.value is not None)
+    qtbot.waitUntil(lambda: services.disagreement.value is not None)
     assert "↔" in legend.title
     assert not shown.status.good_to.isVisible()
     shown.actions_["uncertainty"].trigger()
     assert not shown.actions_["disagreement"].isChecked()
     arrive(shown, qtbot)
-    assert document.disagreement.value is None
+    assert services.disagreement.value is None
     assert "fitted camera" in legend.title
     assert not shown.status.apart.isVisible()
 
 
 def test_a_homography_has_one_too(shown, qtbot):
-    shown.document.live_fit.set_model("H")
+    shown.services.live_fit.set_model("H")
     qtbot.waitUntil(lambda: "(H)" in shown.canvas.maps.legend.title)
-    assert shown.document.uncertainty.value.values.share_within_m(5.0) > 0.5
+    assert shown.services.uncertainty.value.values.share_within_m(5.0) > 0.5

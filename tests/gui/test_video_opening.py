@@ -59,7 +59,7 @@ def accept(window: MainWindow, dialog: VideoDialog, qtbot: QtBot) -> None:
 
 
 def names(window: MainWindow) -> list[str]:
-    workspace = window.document.state.workspace
+    workspace = window.services.state.workspace
     return [frame.name for frame in workspace.frames]
 
 
@@ -70,8 +70,8 @@ def test_a_frame_every_second_is_annotated_beside_the_video(make_window, hand_on
     assert any(f"{FRAMES} frames, 320x180, 4 s" in text for text in texts)
     accept(window, dialog, qtbot)
     assert names(window) == ["match_000000", "match_000010", "match_000020", "match_000030"]
-    window.document.walk.go_to(2)
-    picture = window.document.walk.picture
+    window.services.navigator.go_to(2)
+    picture = window.services.navigator.picture
     assert abs(int(picture[20, 20, 0]) - 5 * 20) <= 4
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
     saved = match.parent / "match_frames" / "match_000020.json"
@@ -88,7 +88,7 @@ def test_the_dialog_shows_the_field_and_asks_it(make_window, qtbot, match, chose
     assert dialog.field.currentData() == "volleyball"
     dialog.field.setCurrentIndex(dialog.field.findData(chosen))
     accept(window, dialog, qtbot)
-    qtbot.waitUntil(lambda: window.document.state.field.name == chosen)
+    qtbot.waitUntil(lambda: window.services.state.field.name == chosen)
     assert window.opening.open_path(match)  # and the dataset remembers it
     qtbot.waitUntil(lambda: len(window.findChildren(VideoDialog)) > 0)
     assert window.findChildren(VideoDialog)[-1].field.currentData() == chosen
@@ -105,7 +105,7 @@ def test_the_interface_opens_no_video_itself(make_window, qtbot, match, monkeypa
     monkeypatch.setattr(Video, "open", noted)
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
-    assert window.document.walk.picture is not None
+    assert window.services.navigator.picture is not None
     assert opened_by
     assert threading.main_thread() not in opened_by
 
@@ -115,18 +115,18 @@ def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
 ):
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
-    shown = window.document.walk.picture
+    shown = window.services.navigator.picture
     assert shown is not None
     kept = match.parent / "match_frames" / "match_000010.png"
     for _ in range(2):  # keeping it again writes the same file
         with qtbot.waitSignal(
-            window.document.store.events.message, check_params_cb=lambda m: "kept as" in m.text
+            window.services.store.events.message, check_params_cb=lambda m: "kept as" in m.text
         ):
             window.opening.keep_frame()
     assert np.array_equal(cv2.imread(str(kept)), shown[:, :, :3])
-    dataset = Workspace.open(kept.parent, window.document.state.field)
+    dataset = Workspace.open(kept.parent, window.services.state.field)
     assert [frame.name for frame in dataset.frames] == ["match_000010"]
     assert dataset.annotated_count(0) == 1
 
@@ -136,7 +136,7 @@ def test_frames_worked_on_are_there_whatever_is_chosen_the_next_time(
 ):
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
-    window.document.walk.go_to(1)
+    window.services.navigator.go_to(1)
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
     dialog = asked(window, qtbot, match)
     dialog.seconds.setValue(2.5)
@@ -148,9 +148,9 @@ def test_the_first_frame_of_every_scene(make_window, qtbot, match):
     window = make_window()
     dialog = asked(window, qtbot, match)
     dialog.cuts.setChecked(True)
-    before = window.document.state.workspace
+    before = window.services.state.workspace
     dialog.accept()
-    qtbot.waitUntil(lambda: window.document.state.workspace is not before)
+    qtbot.waitUntil(lambda: window.services.state.workspace is not before)
     assert names(window) == ["match_000000", f"match_{CUT:06d}"]
 
 
@@ -168,7 +168,7 @@ def test_a_dataset_opened_meanwhile_wins(window, qtbot, dataset, match, monkeypa
 
     monkeypatch.setattr(Video, "read_index", slow)
     window.opening.open_path(match)
-    window.document.opening.open_path(dataset)
+    window.services.opening.open_path(dataset)
     gate.set()
     qtbot.waitUntil(finished.is_set)
     # The dialog would be there once later jobs are through.
@@ -184,7 +184,7 @@ def test_a_file_that_is_no_video_is_one_clear_message(window, qtbot, tmp_path):
     broken = tmp_path / "broken.mp4"
     broken.write_bytes(b"not a video" * 100)
     with qtbot.waitSignal(
-        window.document.store.events.message, check_params_cb=lambda m: "broken.mp4" in m.text
+        window.services.store.events.message, check_params_cb=lambda m: "broken.mp4" in m.text
     ):
         window.opening.open_path(broken)
     assert names(window)[0] == "frame_0"
@@ -192,6 +192,6 @@ def test_a_file_that_is_no_video_is_one_clear_message(window, qtbot, tmp_path):
 
 
 def test_keeping_a_picture_says_that_it_is_one(window, qtbot):
-    with qtbot.waitSignal(window.document.store.events.message) as said:
+    with qtbot.waitSignal(window.services.store.events.message) as said:
         window.opening.keep_frame()
     assert "picture already" in said.args[0].text

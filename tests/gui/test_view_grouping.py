@@ -33,7 +33,7 @@ def folder(tmp_path) -> Path:
 def window(make_window, folder) -> MainWindow:
     window = make_window(folder)
     window.panels.show("landmarks")
-    window.document.walk.go_to(2)
+    window.services.navigator.go_to(2)
     return window
 
 
@@ -63,7 +63,7 @@ def press_write(dialog: ViewDialog) -> None:
 
 def test_groups_by_names_are_shown_written_and_used_at_once(window, folder, qtbot):
     assert window.landmarks.views.count() == 0
-    assert window.document.judge.frame_setup.field.element("Ball") is None
+    assert window.services.scorer.frame_setup.field.element("Ball") is None
     dialog = asked(window, qtbot)
     assert dialog.pattern.text() == "{instant}_{view}"
     assert shown(dialog)[0] == ("17", "left", "17_left")
@@ -74,7 +74,7 @@ def test_groups_by_names_are_shown_written_and_used_at_once(window, folder, qtbo
     press_write(dialog)
     qtbot.waitUntil(lambda: window.landmarks.views.count() == 1)
     assert window.landmarks.views.item(0).text() == "right  (18_right)"
-    assert window.document.judge.frame_setup.field.element("Ball") is not None
+    assert window.services.scorer.frame_setup.field.element("Ball") is not None
     assert window.view_grouping.dialog is None
     assert load_views(folder / "views.csv").groups == {
         "17": ("17_left", "17_right"),

@@ -50,12 +50,12 @@ def test_everything_is_in_sight_at_1280x720(make_window, dataset, qtbot, text_si
 def test_the_class_under_the_pen_is_read(make_window, dataset, text_size, qtbot):
     window = make_window(dataset, size=(1280, 720))
     hand = Hand(window)
-    window.document.selecting.select_class("Goal left post left ")
+    window.services.selection.select_class("Goal left post left ")
     hand.click(100, 50)
     hint = window.status.hint
     qtbot.waitUntil(lambda: hint.text().startswith("DRAW Left goal"))
     shown = hint.text_for(hint.width())
-    title = window.document.state.field.title_of("Goal left post left ")
+    title = window.services.state.field.title_of("Goal left post left ")
     begin, _, end = shown.split("  •  ")[0].removeprefix("DRAW ").partition("…")
     assert title.startswith(begin.partition(", ")[0])
     assert not end or title.endswith(end)

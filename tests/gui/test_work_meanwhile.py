@@ -70,8 +70,8 @@ def test_an_export_is_of_the_dataset_it_was_asked_for(make_window, dataset, othe
     let_work_end(qtbot)
     with busy():
         window.exporter.write_annotations(tmp_path / "out")
-        assert window.document.opening.open_path(other)
-        window.document.terms.set_field(load_field("tennis"))
+        assert window.services.opening.open_path(other)
+        window.services.evaluation.set_field(load_field("tennis"))
     qtbot.waitUntil((tmp_path / "out" / "frame_2.json").exists)
     assert list(json.loads((tmp_path / "out" / "frame_0.json").read_text())) == [TOP]
     let_work_end(qtbot)
@@ -83,8 +83,8 @@ def test_the_overview_is_exported_whole_or_not_at_all(
     window = make_window(dataset)
     let_work_end(qtbot)
     for name in ("whole.csv", "stopped.csv"):
-        slow = Stop(window.document.state.workspace.read, 2)
-        monkeypatch.setattr(window.document.state.workspace, "read", slow)
+        slow = Stop(window.services.state.workspace.read, 2)
+        monkeypatch.setattr(window.services.state.workspace, "read", slow)
         window.exporter.write_overview(tmp_path / name)
         assert slow.reached.wait(10)
         monkeypatch.undo()
@@ -103,12 +103,12 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
 ):
     window = make_window(dataset)
     Hand(window).draw(MIDDLE, (100, 100), (200, 200))
-    window.document.walk.next_frame()
+    window.services.navigator.next_frame()
     let_work_end(qtbot)
-    told, path = heard(window.document), tmp_path / "out"
+    told, path = heard(window.services), tmp_path / "out"
     with busy():
         getattr(window.exporter, f"write_{what}")(path)
-        assert window.document.opening.open_path(
+        assert window.services.opening.open_path(
             other
         )  # what is remembered of the first one is put away
     qtbot.waitUntil(lambda: any("origins" in text for text in told))
@@ -120,14 +120,14 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
 ):
     window = make_window(annotated)
     window.panels.show("plots")
-    window.document.live_fit.set_wanted(False)
+    window.services.live_fit.set_wanted(False)
     let_work_end(qtbot)
-    told = heard(window.document)
+    told = heard(window.services)
     with busy(background._THREADS[background.Priority.LOW] - 1):
         slow = Stop(dataset_scores._audit, 3)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(dataset_scores, "_audit", slow)
-            assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
+            assert window.services.camera_sources.load_cameras(annotated / "cameras" / "true")
             assert slow.reached.wait(10)
         window.exporter.write_overview(tmp_path / "overview.csv")
     try:
@@ -151,25 +151,25 @@ def test_an_export_that_another_dataset_cuts_short_is_told(
     window.export_as.ask()
     window.export_as.start(tmp_path / "out")
     assert slow.reached.wait(10)
-    assert window.document.opening.open_path(other)
+    assert window.services.opening.open_path(other)
     slow.go.set()
     qtbot.waitUntil(lambda: "still there" in window.message_bar.label.text())
     assert window.message_bar.isVisible()
 
 
 def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(window, qtbot, monkeypatch):
-    document = window.document
+    services = window.services
     let_work_end(qtbot)
-    slow = Stop(document.state.workspace.read, 2)
-    monkeypatch.setattr(document.state.workspace, "read", slow)
-    assert document.landmarks.add("roof")
-    assert document.landmarks.frames_with("roof") is None
+    slow = Stop(services.state.workspace.read, 2)
+    monkeypatch.setattr(services.state.workspace, "read", slow)
+    assert services.landmarks.add("roof")
+    assert services.landmarks.frames_with("roof") is None
     qtbot.waitUntil(slow.reached.is_set)  # the frame on screen was looked at
     Hand(window).draw("roof", (100, 100))
-    document.walk.next_frame()
+    services.navigator.next_frame()
     slow.go.set()
-    qtbot.waitUntil(lambda: document.landmarks.frames_with("roof") is not None)
-    assert document.landmarks.frames_with("roof") == ("frame_0",)
+    qtbot.waitUntil(lambda: services.landmarks.frames_with("roof") is not None)
+    assert services.landmarks.frames_with("roof") == ("frame_0",)
 
 
 @pytest.mark.parametrize("how", ["closed", "another annotator", "another dataset"])
@@ -182,24 +182,24 @@ def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
     let_work_end(qtbot)
     if how == "another annotator":
         window.agreement.open(tmp_path / "second")
-        qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
+        qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
     with busy():
         window.agreement.open(tmp_path / "second" if how != "another annotator" else other)
         if how == "closed":
-            window.document.second.close()
+            window.services.second_annotator.close()
         elif how == "another dataset":
-            assert window.document.opening.open_path(other)
+            assert window.services.opening.open_path(other)
         # Until the other one is read, the first stays.
-        assert (window.document.state.noise_floor is None) == (how != "another annotator")
+        assert (window.services.state.noise_floor is None) == (how != "another annotator")
     let_work_end(qtbot)
-    assert window.document.state.noise_floor is None  # no element is annotated by both
+    assert window.services.state.noise_floor is None  # no element is annotated by both
 
 
 def test_a_field_chosen_while_a_file_is_read_stays(make_window, dataset, tmp_path, qtbot):
     path = tmp_path / "court.toml"
     shutil.copy(str(load_field("basketball_fiba").source), path)
     window = make_window(dataset)
-    choice = window.document.field_choice
+    choice = window.services.field_choice
     choice.take(load_field(path))
     let_work_end(qtbot)
     slow = Stop(choice._prepared)
@@ -208,26 +208,26 @@ def test_a_field_chosen_while_a_file_is_read_stays(make_window, dataset, tmp_pat
         choice.read_again()
         assert slow.reached.wait(10)
     choice.choose("tennis")
-    qtbot.waitUntil(lambda: window.document.state.field.name == "tennis")
+    qtbot.waitUntil(lambda: window.services.state.field.name == "tennis")
     slow.go.set()
     let_work_end(qtbot)
-    assert window.document.state.field.name == "tennis"
+    assert window.services.state.field.name == "tennis"
 
 
 def test_an_older_check_does_not_replace_a_newer_one(make_window, dataset, qtbot, monkeypatch):
     window = make_window(dataset)
-    document = window.document
-    document.live_fit.set_wanted(False)
+    services = window.services
+    services.live_fit.set_wanted(False)
     let_work_end(qtbot)
     slow = Stop(label_check.check_without_fit)
     monkeypatch.setattr(label_check, "check_without_fit", slow)
     Hand(window).draw(TOP, (100, 100), (200, 100))
-    document.store.events.aboutToLeave.emit()
+    services.store.events.aboutToLeave.emit()
     qtbot.waitUntil(slow.reached.is_set)
-    document.live_fit.set_wanted(True)  # from now on the check is that of the fit
+    services.live_fit.set_wanted(True)  # from now on the check is that of the fit
     Hand(window).draw(BOTTOM, (100, 300), (200, 300))
-    document.store.events.aboutToLeave.emit()
-    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    services.store.events.aboutToLeave.emit()
+    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
     slow.go.set()
     let_work_end(qtbot)
-    assert document.label_check.checked is not None
+    assert services.label_check.checked is not None

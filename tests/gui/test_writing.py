@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where
 
 TABLE, JSON = "Table (*.csv)", "JSON (*.json)"
@@ -31,21 +31,21 @@ def test_a_name_without_a_suffix_gets_that_of_its_kind(
     monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
     parent = QWidget()
     qtbot.addWidget(parent)
-    document = Document(parent=parent)
-    assert document.opening.open_path(dataset)
-    assert ask_where(document, parent, "Export", "name.csv", kinds) == dataset / expected
+    services = Services(parent=parent)
+    assert services.opening.open_path(dataset)
+    assert ask_where(services, parent, "Export", "name.csv", kinds) == dataset / expected
     assert asked == ["Export", str(dataset.parent / "name.csv"), kinds]
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
-    assert ask_where(document, parent, "Export", "name.csv", kinds) is None
-    document.close()
+    assert ask_where(services, parent, "Export", "name.csv", kinds) is None
+    services.close()
 
 
 def test_nothing_is_asked_where_nothing_is_open(qtbot, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("asked"))
     parent = QWidget()
     qtbot.addWidget(parent)
-    document, said = Document(parent=parent), []
-    document.store.events.message.connect(lambda m: said.append((m.text, m.level)))
-    assert ask_where(document, parent, "Export", "name.csv", TABLE) is None
+    services, said = Services(parent=parent), []
+    services.store.events.message.connect(lambda m: said.append((m.text, m.level)))
+    assert ask_where(services, parent, "Export", "name.csv", TABLE) is None
     assert said == [("open a folder of pictures first", "warning")]
-    document.close()
+    services.close()

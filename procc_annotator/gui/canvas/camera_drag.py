@@ -17,7 +17,7 @@ from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import (
     Wireframe,
@@ -55,9 +55,9 @@ class CameraDrag(QObject):
     changed = Signal()  # held or not, or what is under the cursor: the hint, and what is drawn
     moved = Signal(object)  # (x, y) px: the mouse moved, and no tool is to hear of it
 
-    def __init__(self, document: Document, view: PictureView, editor: Editor) -> None:
+    def __init__(self, services: Services, view: PictureView, editor: Editor) -> None:
         super().__init__(view)
-        self._document, self._view, self._editor = document, view, editor
+        self._services, self._view, self._editor = services, view, editor
         self._at: Position | None = None  # the cursor, px of the picture
         self._hidden = False  # whether only the bare picture is shown
         self.item = OverlayItem()
@@ -76,10 +76,10 @@ class CameraDrag(QObject):
         self._fresh = False  # nothing else was done since the last drag
         view.installEventFilter(self)
         view.viewport().installEventFilter(self)
-        document.store.watch(lambda s: (select.annotation(s), s.selection), self._age)
-        document.store.watch(lambda s: (select.frame(s), select.mode(s)), self._let_go)
-        document.corrections.changed.connect(self._follow_pegs)
-        document.foresight.changed.connect(self._follow_camera)
+        services.store.watch(lambda s: (select.annotation(s), s.selection), self._age)
+        services.store.watch(lambda s: (select.frame(s), select.mode(s)), self._let_go)
+        services.corrections.changed.connect(self._follow_pegs)
+        services.prediction.changed.connect(self._follow_camera)
 
     @property
     def dragging(self) -> bool:
@@ -99,7 +99,7 @@ class CameraDrag(QObject):
         elif self._grabbed is not None:
             words = [tr("drag moves this peg"), tr("click takes it away")]
         elif self._under is not None:
-            title = tr(self._document.state.field.title_of(self._under.name))
+            title = tr(self._services.state.field.title_of(self._under.name))
             words = [tr("drag {title} to where it belongs: the camera follows", title=title)]
         else:
             drag = tr("drag a place of the wireframe to where it belongs")
@@ -116,11 +116,11 @@ class CameraDrag(QObject):
         if self.dragging:
             self._put_back()
             return True
-        corrections = self._document.corrections
+        corrections = self._services.corrections
         meant = self._fresh if name == "Escape" else self._fresh or corrections.rules
         if not meant or not corrections.take_back():
             return False
-        self._document.say(tr("taken back: the camera is as before it was dragged"))
+        self._services.say(tr("taken back: the camera is as before it was dragged"))
         return True
 
     def refresh(self, *, hidden: bool) -> None:
@@ -200,7 +200,7 @@ class CameraDrag(QObject):
 
     def _let_go(self) -> None:
         """Another frame, or the keys went elsewhere."""
-        self._fresh = self._fresh and self._document.corrections.here is not None
+        self._fresh = self._fresh and self._services.corrections.here is not None
         if self.dragging:
             self._put_back()
         self._hold(False)  # where it was not held, the canvas paints what there is
@@ -210,34 +210,34 @@ class CameraDrag(QObject):
 
     @property
     def _pegs(self) -> tuple[ControlPoint, ...]:
-        document = self._document
-        found = document.corrections.here
+        services = self._services
+        found = services.corrections.here
         if found is None:
             return ()
-        return found.pegs if document.corrections.rules or document.foresight.stands_in else ()
+        return found.pegs if services.corrections.rules or services.prediction.stands_in else ()
 
     def _camera(self) -> PinholeCamera | None:
         """The camera in view: the corrected one, that of ghosts, that of the chosen source."""
-        document, size = self._document, self._document.state.picture_size
-        if size is None or not document.proposals.allowed or self._hidden:
+        services, size = self._services, self._services.state.picture_size
+        if size is None or not services.proposals.allowed or self._hidden:
             return None
-        insight = document.foresight.insight
-        found = document.corrections.here if document.corrections.rules else None
-        fit = insight.fit if insight is not None else document.foresight.found
+        insight = services.prediction.insight
+        found = services.corrections.here if services.corrections.rules else None
+        fit = insight.fit if insight is not None else services.prediction.found
         if found is not None:
             fit = found.fit
         camera = fit.camera if fit is not None else None
-        if camera is None and isinstance(document.judge.camera, PinholeCamera):
-            return document.judge.camera.scaled(document.state.setup.size, size)
+        if camera is None and isinstance(services.scorer.camera, PinholeCamera):
+            return services.scorer.camera.scaled(services.state.setup.size, size)
         return camera if isinstance(camera, PinholeCamera) else None
 
     def _why_none(self) -> str:
-        document = self._document
-        if not document.proposals.allowed:
+        services = self._services
+        if not services.proposals.allowed:
             return tr("blind mode: no camera is shown")
         if self._hidden:
             return tr("overlays are hidden (Ctrl+H)")
-        insight = document.foresight.insight
+        insight = services.prediction.insight
         if insight is not None and insight.fit.camera is not None:
             return tr("a homography cannot be turned: choose another model (panel Fit)")
         return tr("no camera is known here that could be dragged")
@@ -264,19 +264,19 @@ class CameraDrag(QObject):
             self._show()
 
     def _make_wireframe(self) -> Wireframe | None:
-        camera, size = self._camera(), self._document.state.picture_size
+        camera, size = self._camera(), self._services.state.picture_size
         if camera is None or size is None:
             return None
         if self._wireframe is not None and self._wireframe.camera == camera:
             return self._wireframe
-        return wireframe_of(camera, self._document.judge.frame_setup.field, size)
+        return wireframe_of(camera, self._services.scorer.frame_setup.field, size)
 
     # --- dragging -------------------------------------------------------------------------
 
     def _press(self, at: Position) -> None:
         self._look_under()
         if self._wireframe is None or (self._under is None and self._grabbed is None):
-            self._document.say(
+            self._services.say(
                 tr("press on a line of the wireframe") if self._wireframe else self._why_none()
             )
             return
@@ -288,7 +288,7 @@ class CameraDrag(QObject):
     def _is_replaced(self, peg: ControlPoint) -> bool:
         """Return whether a peg gives way to the place in hand: it is that one, or so near that both
         would roll and zoom the camera by what a click is off."""
-        size, under = self._document.state.picture_size, self._under
+        size, under = self._services.state.picture_size, self._under
         if peg is self._grabbed or under is None or size is None:
             return peg is self._grabbed
         away = np.hypot(peg.px[0] - under.px[0], peg.px[1] - under.px[1])
@@ -318,15 +318,15 @@ class CameraDrag(QObject):
     def _release(self) -> None:
         if not self.dragging:
             return
-        document, camera, moved = self._document, self._dragged, self._moved
-        size, put = document.state.picture_size, self._put
+        services, camera, moved = self._services, self._dragged, self._moved
+        size, put = services.state.picture_size, self._put
         others, grabbed = self._others, self._grabbed
         self._end_drag()
         if not moved and grabbed is not None:
             self._take_away(others)
         elif moved and camera is not None and put is not None and size is not None:
-            document.corrections.put(
-                correct_camera(camera, (*others, put), size, document.state.annotation)
+            services.corrections.put(
+                correct_camera(camera, (*others, put), size, services.state.annotation)
             )
             self._fresh = True
         self._look_under()
@@ -334,20 +334,20 @@ class CameraDrag(QObject):
 
     def _take_away(self, others: tuple[ControlPoint, ...]) -> None:
         """A peg holds the camera no more; where it was the last one, nothing does."""
-        document, size = self._document, self._document.state.picture_size
+        services, size = self._services, self._services.state.picture_size
         camera = self._camera()
         if camera is None or size is None:
             return
-        left = correct_camera(camera, others, size, document.state.annotation) if others else None
-        document.corrections.put(left)
+        left = correct_camera(camera, others, size, services.state.annotation) if others else None
+        services.corrections.put(left)
         self._fresh = True
         if others:
             left_over = len(others)
-            document.say(
+            services.say(
                 tr_count(left_over, "peg taken away: {n} peg left", "peg taken away: {n} pegs left")
             )
         else:
-            document.say(tr("peg taken away: the camera is as it was found"))
+            services.say(tr("peg taken away: the camera is as it was found"))
 
     def _put_back(self) -> None:
         self._end_drag()
@@ -380,13 +380,13 @@ class CameraDrag(QObject):
 
     def _lines(self) -> FloatArray:
         """The wireframe, (N, 4) px; none while no modifier is held."""
-        document, size = self._document, self._document.state.picture_size
+        services, size = self._services, self._services.state.picture_size
         camera = self._dragged
         if camera is None and self._wireframe is not None:
             camera = self._wireframe.camera
         if not self.held or camera is None or size is None:
             return _NO_LINES
-        return segments_in_sight(camera, document.judge.frame_setup.field, size)
+        return segments_in_sight(camera, services.scorer.frame_setup.field, size)
 
     def _shown_under(self) -> tuple[Position, str] | None:
         """Return where the dragged point, or the one under the cursor, is seen."""
@@ -397,5 +397,5 @@ class CameraDrag(QObject):
         if self._grabbed is not None:
             return self._grabbed.px, tr("peg")
         if self._under is not None:
-            return self._under.px, tr(self._document.state.field.title_of(self._under.name))
+            return self._under.px, tr(self._services.state.field.title_of(self._under.name))
         return None

@@ -30,7 +30,7 @@ from procc_annotator.gui.canvas.viewport_overlays import BlindFrame, FoundPlate
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.image.pixels import DisplayAdjustment
 from procc_annotator.interaction.gestures import Modifiers
 from procc_annotator.interaction.hints import SEPARATOR
@@ -47,30 +47,30 @@ _PAN_HINT = (
 
 
 class Canvas(PictureView):
-    """Shows the document's frame; mouse and keys go to the draw or edit tool."""
+    """Shows the state's frame; mouse and keys go to the draw or edit tool."""
 
     cursorMoved = Signal(object)  # (x, y) in picture px, or None
     hintChanged = Signal(str)
     menuWanted = Signal(QPoint)  # on the screen
     panChanged = Signal(bool)  # whether the left button moves the picture
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
         give_role(self, QAccessible.Role.Canvas)
         self.setObjectName("canvas")
         self.setAccessibleName(tr("Picture"))
-        self._document = self.document = document
-        self.editor = Editor(document, self)
+        self._services = self.services = services
+        self.editor = Editor(services, self)
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
-        self.comparison = OtherSources(document, self.viewport(), self.scene(), self.overlay_item)
-        self.maps = MetreMaps(document, self.viewport(), self.scene())
-        self.found_plate = FoundPlate(document, self)
-        self.blind_frame = BlindFrame(document, self)
-        self.legend = CornerLegend(document, self, self.comparison)
-        self.camera_drag = CameraDrag(document, self, self.editor)
+        self.comparison = OtherSources(services, self.viewport(), self.scene(), self.overlay_item)
+        self.maps = MetreMaps(services, self.viewport(), self.scene())
+        self.found_plate = FoundPlate(services, self)
+        self.blind_frame = BlindFrame(services, self)
+        self.legend = CornerLegend(services, self, self.comparison)
+        self.camera_drag = CameraDrag(services, self, self.editor)
         self.drawing = OverlayDrawing(
-            document,
+            services,
             self,
             self.editor,
             self.overlay_item,
@@ -91,14 +91,14 @@ class Canvas(PictureView):
         self.loupe_always = False
         self._held_keys = self._make_held_keys()
         self._loupe_by_key = False
-        self.keys = KeyPointing(document, self, self.editor, lambda: self.cursor_px)
+        self.keys = KeyPointing(services, self, self.editor, lambda: self.cursor_px)
         self.shown = ShownPicture(self)
-        document.cache.foresee = self.picture_item.reduced.foresee
+        services.cache.foresee = self.picture_item.reduced.foresee
         self._listen()
         self._show_frame()
 
     def _listen(self) -> None:
-        document = self._document
+        services = self._services
         self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.drawing.refresh_gesture)
         self.drawing.drawn.connect(self._place_loupe)
@@ -108,18 +108,18 @@ class Canvas(PictureView):
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
         self.camera_drag.moved.connect(self._follow_cursor)
-        document.store.watch(select.dataset, self.keys.forget)
-        document.store.watch(select.frame, self._show_frame)
-        document.store.watch(select.picture, self._show_whole)
-        document.store.events.flyTo.connect(self.fly_to)
-        document.store.events.flyToArea.connect(self.show_area)
+        services.store.watch(select.dataset, self.keys.forget)
+        services.store.watch(select.frame, self._show_frame)
+        services.store.watch(select.picture, self._show_whole)
+        services.store.events.flyTo.connect(self.fly_to)
+        services.store.events.flyToArea.connect(self.show_area)
 
     # --- showing --------------------------------------------------------------------------
 
     def _show_frame(self) -> None:
         if self._loupe_wanted:  # it shows every pixel
-            self._document.walk.see_whole()
-        state = self._document.state
+            self._services.navigator.see_whole()
+        state = self._services.state
         looked_at = state.picture if state.half is None else state.half.pixels
         self.shown.set_picture(looked_at, whole=state.half is None)
         self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
@@ -136,7 +136,7 @@ class Canvas(PictureView):
 
     def _show_whole(self) -> None:
         """The whole picture is there, or it turned out that it cannot be read."""
-        state = self._document.state
+        state = self._services.state
         if state.picture is None:
             self._show_frame()
             return
@@ -146,7 +146,7 @@ class Canvas(PictureView):
 
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
-        self.picture_item.set_picture(self.shown.pixels, self._document.state.picture_size)
+        self.picture_item.set_picture(self.shown.pixels, self._services.state.picture_size)
 
     def _explain(self, text: str) -> None:
         """Next to the cursor, where it cannot be missed."""
@@ -186,7 +186,7 @@ class Canvas(PictureView):
 
     def _place_loupe(self) -> None:
         px, pixels = self.cursor_px, self.shown.pixels
-        half = self._document.state.half is not None
+        half = self._services.state.half is not None
         if not self._loupe_wanted or px is None or pixels is None or half:
             self.loupe.hide()
             return
@@ -220,7 +220,7 @@ class Canvas(PictureView):
         elif self.editor.holding:
             self.key("Escape")  # not shown
         elif not self.editor.taken_first("Undo", False):  # not shown
-            self._document.editing.undo()
+            self._services.editing.undo()
 
     def key(self, name: str, shift: bool = False) -> None:
         """Pass Enter, Backspace, Escape or Delete to the tool."""
@@ -261,7 +261,7 @@ class Canvas(PictureView):
     # --- events ---------------------------------------------------------------------------
 
     def tool_cursor(self) -> Qt.CursorShape:
-        if self._document.state.mode == "draw" and self._document.state.editable:
+        if self._services.state.mode == "draw" and self._services.state.editable:
             return Qt.CursorShape.CrossCursor
         return Qt.CursorShape.ArrowCursor
 
@@ -272,7 +272,7 @@ class Canvas(PictureView):
             self._start_pan(event)
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             self.cursor_px = self.to_picture(event.position())
-            self._document.walk.see_whole()  # its lines are snapped to
+            self._services.navigator.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, modifiers_of(event.modifiers()))
             if self.editor.holding:
                 self._say_hint()
@@ -381,12 +381,12 @@ class Canvas(PictureView):
         if self.comparison.hold():
             self.drawing.refresh()
         else:
-            say = self._document.say
+            say = self._services.say
             say(tr("load a second set of cameras to blink between two (Ctrl+L)"), "info")
 
     def _end_blink(self) -> None:
         if self.comparison.let_go():
-            self._document.camera_sources.swap_sources()
+            self._services.camera_sources.swap_sources()
         else:
             self.drawing.refresh()
 

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.canvas.view import PictureView
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction.gestures import ARROWS, Modifiers, Position
 from procc_annotator.interaction.palette import HALO, OUTLINE
 from procc_annotator.translation import tr, word
@@ -184,13 +184,13 @@ class KeyPointing(QObject):
 
     def __init__(
         self,
-        document: Document,
+        services: Services,
         view: PictureView,
         editor: Editor,
         cursor: Callable[[], Position | None],
     ) -> None:
         super().__init__(view)
-        self._document, self._view, self._editor, self._cursor = document, view, editor, cursor
+        self._services, self._view, self._editor, self._cursor = services, view, editor, cursor
         self.crosshair = Crosshair()
         view.scene().addItem(self.crosshair)
 
@@ -203,38 +203,38 @@ class KeyPointing(QObject):
         """Move the chosen points, or without any the crosshair, by ``step`` picture px."""
         if self._editor.nudge(name, step):
             return
-        size = self._document.state.picture_size
+        size = self._services.state.picture_size
         if size is None:
             return
         begun = self.active
         start = self.crosshair.px or self._start(size)
         self._point(moved(start, name, step, size))
         if not begun:
-            self._document.say(tr(_WHAT), "info")
+            self._services.say(tr(_WHAT), "info")
 
     def click(self, modifiers: Modifiers) -> None:
         """Click at the crosshair."""
         px = self.crosshair.px
         if px is None:
             return
-        self._document.walk.see_whole()  # its lines are snapped to
+        self._services.navigator.see_whole()  # its lines are snapped to
         self._editor.press(px, modifiers)
         self._editor.release(px, modifiers)
         self.pointed.emit(px)
 
     def insert(self) -> None:
         """Put a point on the line at the crosshair, or at the mouse, as Alt and a click do."""
-        document, px = self._document, self.crosshair.px or self._cursor()
+        services, px = self._services, self.crosshair.px or self._cursor()
         if px is None:
-            document.say(tr("point at a line first: with the mouse, or with the arrows"), "info")
+            services.say(tr("point at a line first: with the mouse, or with the arrows"), "info")
             return
-        document.selecting.set_mode("edit")
-        before = document.state.annotation
+        services.selection.set_mode("edit")
+        before = services.state.annotation
         self._editor.press(px, Modifiers(alt=True))
         self._editor.release(px, Modifiers(alt=True))
         self.pointed.emit(px)
-        if document.state.annotation is before:
-            document.say(tr("there is no line here to put a point on"), "info")
+        if services.state.annotation is before:
+            services.say(tr("there is no line here to put a point on"), "info")
 
     def put_away(self) -> None:
         """The mouse points again, or nothing does."""
@@ -248,7 +248,7 @@ class KeyPointing(QObject):
 
     def keep_within(self) -> None:
         """Another picture is shown: it may be smaller."""
-        px, size = self.crosshair.px, self._document.state.picture_size
+        px, size = self.crosshair.px, self._services.state.picture_size
         if px is not None:
             self.crosshair.put(None if size is None else moved(px, "Left", 0.0, size))  # not shown
 

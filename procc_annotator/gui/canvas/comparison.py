@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGraphicsScene, QWidget
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.viewport_overlays import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction.overlay_lines import build_wireframes
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from procc_annotator.metrics.measurement import Measurement
@@ -32,10 +32,10 @@ class OtherSources(QObject):
     """
 
     def __init__(
-        self, document: Document, viewport: QWidget, scene: QGraphicsScene, front: OverlayItem
+        self, services: Services, viewport: QWidget, scene: QGraphicsScene, front: OverlayItem
     ) -> None:
         super().__init__(viewport)
-        self._document = document
+        self._services = services
         self._viewport = viewport
         self._front_item = front
         self.wireframes = EMPTY_OVERLAY
@@ -55,48 +55,48 @@ class OtherSources(QObject):
     @property
     def looking(self) -> bool:
         """Return whether the compared source is in front for as long as a key is held."""
-        return self._held_since is not None and self._document.state.compared is not None
+        return self._held_since is not None and self._services.state.compared is not None
 
     @property
     def divided(self) -> bool:
         """Return whether the picture is divided between two sources."""
-        document = self._document
-        visible = document.state.projection_visible and document.state.frame is not None
-        return self.split_wanted and visible and document.state.compared is not None
+        services = self._services
+        visible = services.state.projection_visible and services.state.frame is not None
+        return self.split_wanted and visible and services.state.compared is not None
 
     @property
     def front(self) -> CameraSource | None:
         """The source with its verdicts drawn; the left one of two sides."""
-        document = self._document
-        return document.state.compared if self.looking else document.state.active
+        services = self._services
+        return services.state.compared if self.looking else services.state.active
 
     @property
     def right(self) -> CameraSource | None:
         """The source of the right side."""
-        document = self._document
-        return document.state.active if self.looking else document.state.compared
+        services = self._services
+        return services.state.active if self.looking else services.state.compared
 
     @property
     def judged(self) -> Judged:
         """Measurement and score of the source in front."""
-        document = self._document
+        services = self._services
         if self.looking:
-            return document.judge.compared
-        return document.judge.measurement, document.judge.score
+            return services.scorer.compared
+        return services.scorer.measurement, services.scorer.score
 
     @property
     def judged_right(self) -> Judged:
         """Measurement and score of the source on the right."""
-        document = self._document
+        services = self._services
         if self.looking:
-            return document.judge.measurement, document.judge.score
-        return document.judge.compared
+            return services.scorer.measurement, services.scorer.score
+        return services.scorer.compared
 
     # --- blinking -------------------------------------------------------------------------
 
     def hold(self) -> bool:
         """Look at the compared source until `let_go`; False if absent."""
-        if self._document.state.compared is None:
+        if self._services.state.compared is None:
             return False
         self._held_since = monotonic()
         return True
@@ -150,27 +150,27 @@ class OtherSources(QObject):
         return self.other_side if self.split.shown and x >= self.split.x else self._front_item
 
     def _make_wireframes(self, *, hidden: bool) -> None:
-        document, size = self._document, self._document.state.picture_size
+        services, size = self._services, self._services.state.picture_size
         shown: list[tuple[ProjectedField, str]] = []
         if size is not None and not hidden and self.others_wanted:
             shown = [(projected, source.colour) for source, projected in self._others()]
-        wired = (size, document.state.setup.size, *shown)
+        wired = (size, services.state.setup.size, *shown)
         if wired == self._wired:
             return
         self._wired = wired
         self.wireframes = EMPTY_OVERLAY
         if shown and size is not None:
-            self.wireframes = build_wireframes(shown, document.state.setup.size, size)
+            self.wireframes = build_wireframes(shown, services.state.setup.size, size)
 
     def _others(self) -> list[tuple[CameraSource, ProjectedField]]:
         """Return what the visible sources that have no place of their own show of this frame."""
-        document = self._document
-        if document.state.active is None or not document.state.projection_visible:
+        services = self._services
+        if services.state.active is None or not services.state.projection_visible:
             return []
         placed = {self.front, self.right} if self.divided else {self.front}
         shown = []
-        for source in document.state.sources:
-            known = document.source_frames.of(source) if source.visible else None
+        for source in services.state.sources:
+            known = services.source_frames.of(source) if source.visible else None
             if source not in placed and known is not None and known.projected is not None:
                 shown.append((source, known.projected))
         return shown
@@ -189,7 +189,7 @@ class OtherSources(QObject):
             )
         elif self.split.shown:
             self.split.hide()
-        looking = self.looking and self._document.state.projection_visible
+        looking = self.looking and self._services.state.projection_visible
         if looking and not self.split.shown and not hidden and front is not None:
             self._plate.say(self._caption(front, self.judged), front.colour)
             wanted = self._plate.wanted_size()
@@ -202,9 +202,9 @@ class OtherSources(QObject):
             self._plate.hide()
 
     def _caption(self, source: CameraSource, judged: Judged) -> str:
-        known, score = self._document.source_frames.of(source), judged[1]
+        known, score = self._services.source_frames.of(source), judged[1]
         if score is not None:
-            jac = "–" if self._document.state.why_not_judged else f"{score.jac:.3f}"
+            jac = "–" if self._services.state.why_not_judged else f"{score.jac:.3f}"
             return f"{source.name}  ·  JaC {jac}"
         unreadable = known is not None and known.error
         return (

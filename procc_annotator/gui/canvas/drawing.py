@@ -22,7 +22,7 @@ from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.checking.line_pixels import Evidence
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.gestures import Position
@@ -90,7 +90,7 @@ class OverlayDrawing(QObject):
 
     def __init__(
         self,
-        document: Document,
+        services: Services,
         view: PictureView,
         editor: Editor,
         item: OverlayItem,
@@ -107,7 +107,7 @@ class OverlayDrawing(QObject):
             cursor: position of the mouse, picture px.
         """
         super().__init__(view)
-        self._document, self._view = document, view
+        self._services, self._view = services, view
         self._comparison, self._maps, self._legend = comparison, maps, legend
         self._editor, self._hand, self._cursor = editor, hand, cursor
         self._left, self._right = _Side(item), _Side(comparison.other_side)
@@ -123,24 +123,24 @@ class OverlayDrawing(QObject):
         self._listen()
 
     def _listen(self) -> None:
-        document = self._document
+        services = self._services
         self._hand.changed.connect(self._refresh_ghosts)
-        document.store.watch(lambda s: s.preview, self._follow_preview, When.GESTURE)
-        document.store.watch(
+        services.store.watch(lambda s: s.preview, self._follow_preview, When.GESTURE)
+        services.store.watch(
             lambda s: (select.score(s), s.selection, s.hovered_class, select.mode(s)),
             self.refresh,
         )
-        document.review.originsChanged.connect(self._refresh_origins)
-        document.second.changed.connect(self.refresh)
+        services.review.originsChanged.connect(self._refresh_origins)
+        services.second_annotator.changed.connect(self.refresh)
         # Comes next to signals that draw at once: one drawing is enough for both.
-        document.label_check.changed.connect(self._soon.start)
-        document.store.watch(select.cameras, self._refresh_others)
-        document.source_frames.changed.connect(self._refresh_others)
-        document.ghosts.changed.connect(self._refresh_ghosts)
-        document.painted_width.changed.connect(self.refresh)
-        document.paint_watch.changed.connect(self._soon.start)
-        document.landmarks.changed.connect(self.refresh)
-        document.landmarks.ellipsesChanged.connect(self.refresh)
+        services.label_check.changed.connect(self._soon.start)
+        services.store.watch(select.cameras, self._refresh_others)
+        services.source_frames.changed.connect(self._refresh_others)
+        services.ghosts.changed.connect(self._refresh_ghosts)
+        services.line_widths.changed.connect(self.refresh)
+        services.line_pixels.changed.connect(self._soon.start)
+        services.landmarks.changed.connect(self.refresh)
+        services.landmarks.ellipsesChanged.connect(self.refresh)
 
     # --- options ------------------------------------------------------------------------------
 
@@ -183,7 +183,7 @@ class OverlayDrawing(QObject):
         would have to wait for it.
         """
         self._due = True
-        self._document.store.when_notified(self._refresh_if_due)
+        self._services.store.when_notified(self._refresh_if_due)
 
     def refresh_everywhere(self) -> None:
         """Rebuild all overlays, and paint them also where they have not changed."""
@@ -209,7 +209,7 @@ class OverlayDrawing(QObject):
             self.refresh()
             return
         self._show_gesture()
-        if self._document.state.active is not None:
+        if self._services.state.active is not None:
             self._soon.start()
         self.drawn.emit()
 
@@ -228,14 +228,14 @@ class OverlayDrawing(QObject):
     def _refresh(self) -> None:
         everywhere, self._everywhere, self._due = self._everywhere, False, False
         self._soon.stop()
-        scale, comparison, document = self._view.view_scale, self._comparison, self._document
+        scale, comparison, services = self._view.view_scale, self._comparison, self._services
         comparison.refresh(hidden=self.hidden)
         self._maps.set_hidden(self.hidden)
         self._legend.show_for(self.colour_by, bare=self.hidden)
         self._dragged = self._find_dragged()
-        strips = document.paint_watch.value if document.paint_watch.shown else None
+        strips = services.line_pixels.value if services.line_pixels.shown else None
         left = right = None
-        if not self.hidden and document.state.picture_size is not None:
+        if not self.hidden and services.state.picture_size is not None:
             left = self._content(comparison.judged)
             right = self._content(comparison.judged_right) if comparison.split.shown else None
         self._left.show(left, strips, scale, everywhere=everywhere)
@@ -243,7 +243,7 @@ class OverlayDrawing(QObject):
         self._show_gesture(looking=False)
         self._draw_ghosts()
         self._hand.refresh(hidden=self.hidden)
-        if document.state.mode == "draw" and self._editor.follows_cursor:
+        if services.state.mode == "draw" and self._editor.follows_cursor:
             self._gesture_soon.start()
         self.drawn.emit()
         self.told.emit()
@@ -252,7 +252,7 @@ class OverlayDrawing(QObject):
         """``looking``: whether to search the picture for the position of the next click."""
         self.count += 1
         self._gesture_soon.stop()
-        cursor, state = self._cursor(), self._document.state
+        cursor, state = self._cursor(), self._services.state
         gesture = GestureContent(
             state.shown_annotation,
             self._editor.draft(cursor, looking=looking),
@@ -265,7 +265,7 @@ class OverlayDrawing(QObject):
     def _find_dragged(self) -> frozenset[str]:
         """Return the elements that differ from the annotation; by origin all points are drawn
         alike."""
-        state = self._document.state
+        state = self._services.state
         if state.preview is None or self.colour_by in _BY_ORIGIN:
             return frozenset()
         same = set(map(id, state.annotation.polylines))
@@ -273,12 +273,12 @@ class OverlayDrawing(QObject):
 
     def _content(self, judged: Judged) -> OverlayContent:
         """``judged``: measurement and score of the source to draw."""
-        document, state = self._document, self._document.state
+        services, state = self._services, self._services.state
         assert state.picture_size is not None
         return OverlayContent(
             annotation=state.annotation if self._dragged else state.shown_annotation,
             size=state.setup.size,
-            field=document.judge.frame_setup.field,
+            field=services.scorer.frame_setup.field,
             measurement=judged[0],
             score=judged[1],
             picture_size=state.picture_size,
@@ -288,17 +288,17 @@ class OverlayDrawing(QObject):
             colour_by=self.colour_by,
             selected_points=state.selection.points,
             origins=self._origins() if self.colour_by in _BY_ORIGIN else None,
-            other=document.second.annotation if state.projection_visible else None,
+            other=services.second_annotator.annotation if state.projection_visible else None,
             # Of the compared source no one asked for it.
-            paint=document.painted_width.value if judged[0] is document.judge.measurement else None,
-            ellipses=tuple(document.landmarks.ellipses),
-            found=document.label_check.shown,
+            paint=services.line_widths.value if judged[0] is services.scorer.measurement else None,
+            ellipses=tuple(services.landmarks.ellipses),
+            found=services.label_check.shown,
             dragged=self._dragged,
         )
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
-        frame = self._document.state.frame
-        return None if frame is None else self._document.review.origins(frame.name)
+        frame = self._services.state.frame
+        return None if frame is None else self._services.review.origins(frame.name)
 
     # --- ghosts -------------------------------------------------------------------------------
 
@@ -316,12 +316,12 @@ class OverlayDrawing(QObject):
 
     def _ghosts_shown(self) -> Overlay:
         """Return the overlay of ghosts; the same object as long as nothing changed."""
-        ghosts, state = self._document.ghosts, self._document.state
+        ghosts, state = self._services.ghosts, self._services.state
         current, size = ghosts.current, state.picture_size
         at = ghosts.suggested_at if ghosts.wanted else None
         if size is None or not (ghosts.painted or at):
             return EMPTY_OVERLAY
-        foresight = self._document.foresight
+        foresight = self._services.prediction
         unsure = foresight.stands_in and bool(foresight.doubt)
         found, label = None, ""
         if current is not None:

@@ -13,7 +13,7 @@ from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import PointKey
 from procc_annotator.gui.canvas.snapping import ScreenSnapper
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction.class_choice import next_element, unnamed_class
 from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
 from procc_annotator.interaction.edit_tool import EditTool
@@ -80,37 +80,37 @@ KeyTaker = Callable[[str, bool], bool]
 class Editor(QObject):
     """Gives events to the draw or edit tool and does what the tool answers."""
 
-    changed = Signal()  # a draft or gesture changed, nothing in the document
+    changed = Signal()  # a draft or gesture changed, nothing in the state
     lineFinished = Signal(str)  # one that has no name yet: its class meanwhile
     explained = Signal(str)  # why nothing happened, the first time
 
-    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+    def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._draw = DrawTool()
         self._edit = EditTool()
         self._over: Hit | None = None
         self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
-        self._snapper = ScreenSnapper(document)
+        self._snapper = ScreenSnapper(services)
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
         self._take_field()
-        document.store.watch(select.field, self._take_field)
+        services.store.watch(select.field, self._take_field)
         self.view_scale = 1.0
         self._asked_first: tuple[KeyTaker, ...] = ()
-        document.store.events.aboutToLeave.connect(self.finish)
+        services.store.events.aboutToLeave.connect(self.finish)
         self.changed.connect(self._keep_clicks)
-        document.store.watch(select.selection, self._finish_for_another_class)
-        document.store.watch(select.frame, self._look_before)
-        document.store.watch(select.annotation, self._look_under)
-        document.store.watch(select.mode, self._look_under)
+        services.store.watch(select.selection, self._finish_for_another_class)
+        services.store.watch(select.frame, self._look_before)
+        services.store.watch(select.annotation, self._look_under)
+        services.store.watch(select.mode, self._look_under)
 
     def _take_field(self) -> None:
-        elements = self._document.state.field.elements
+        elements = self._services.state.field.elements
         self.curved = frozenset(e.name for e in elements if e.is_curved)
-        landmarks = (mark.name for mark in self._document.state.field.landmarks)  # placed or not
+        landmarks = (mark.name for mark in self._services.state.field.landmarks)  # placed or not
         self.spots = frozenset((*(e.name for e in elements if e.is_spot), *landmarks))
 
     @property
@@ -136,35 +136,35 @@ class Editor(QObject):
     @property
     def upcoming(self) -> str | None:
         """The class that is chosen by itself once the one under way is finished."""
-        document = self._document
-        if not document.state.options.auto_advance:
+        services = self._services
+        if not services.state.options.auto_advance:
             return None
-        finished = self._draw.class_name if self._draw.busy else document.state.selected_class
-        ghosts = document.ghosts
-        terms = document.state.field, document.state.annotation, finished, self.seen_before
+        finished = self._draw.class_name if self._draw.busy else services.state.selected_class
+        ghosts = services.ghosts
+        terms = services.state.field, services.state.annotation, finished, self.seen_before
         return next_element(*terms, gains=ghosts.gains, out_of_sight=ghosts.out_of_sight)
 
     @property
     def _one_click(self) -> bool:
         """Return whether the next click finishes the element that is chosen."""
         return (
-            self._document.state.mode == "draw"
-            and self._document.state.selected_class in self.spots
+            self._services.state.mode == "draw"
+            and self._services.state.selected_class in self.spots
         )
 
     @property
     def follows_cursor(self) -> bool:
         """Return whether something is painted at the cursor."""
-        document = self._document
-        chosen = document.state.selected_class is not None
-        drawing = document.state.mode == "draw" and (chosen or self._draw.busy)
-        return drawing or document.state.hovered_class is not None
+        services = self._services
+        chosen = services.state.selected_class is not None
+        drawing = services.state.mode == "draw" and (chosen or self._draw.busy)
+        return drawing or services.state.hovered_class is not None
 
     def draft(self, cursor: Position | None, *, looking: bool = True) -> Draft | None:
         """The polyline under way, with its line to the cursor and where a click would be put;
         without ``looking`` only if that is known already."""
-        document = self._document
-        if document.state.mode != "draw" or not document.state.editable:
+        services = self._services
+        if services.state.mode != "draw" or not services.state.editable:
             return None
         context = self._context()
         if context.snap is not None and not looking:
@@ -173,23 +173,23 @@ class Editor(QObject):
 
     def hint(self) -> str:
         """Return what the next click, Enter and Esc will do."""
-        document = self._document
+        services = self._services
         return status_hint(
-            document.state.mode,
+            services.state.mode,
             self._draw,
             self._edit,
-            self._context() if document.state.frame is not None else None,
-            document.state.field,
-            blocked=document.state.why_not_editable,
+            self._context() if services.state.frame is not None else None,
+            services.state.field,
+            blocked=services.state.why_not_editable,
             over=self._over,
-            blind=not document.state.projection_visible,
+            blind=not services.state.projection_visible,
             upcoming=self.upcoming if self._draw.busy or self._one_click else None,
-            suggested=None if (best := document.ghosts.suggestion) is None else best.name,
+            suggested=None if (best := services.ghosts.suggestion) is None else best.name,
             ghosts=self._ghost_hint(),
         )
 
     def _ghost_hint(self) -> GhostHint:
-        ghosts = self._document.ghosts
+        ghosts = self._services.ghosts
         current, count = ghosts.current, len(ghosts.painted)
         if current is None:
             return GhostHint(count, resumes=ghosts.resumes, coming=ghosts.walking)
@@ -211,16 +211,16 @@ class Editor(QObject):
         hit = self._edit.hover(position, context)
         self.on_ground = hit is None
         if hit is None:
-            self._document.selecting.select_point(None)
-            if self._document.state.mode == "edit":
-                self._document.selecting.select_class(None)
+            self._services.selection.select_point(None)
+            if self._services.state.mode == "edit":
+                self._services.selection.select_class(None)
             return
         ref = (hit.class_name, hit.index)
         if hit.kind == "point" and ref not in context.chosen_points:
-            self._document.selecting.select_point(*ref)
+            self._services.selection.select_point(*ref)
         elif hit.kind == "segment":
-            self._document.selecting.select_point(None)
-            self._document.selecting.select_class(hit.class_name)
+            self._services.selection.select_point(None)
+            self._services.selection.select_class(hit.class_name)
 
     def press(self, position: Position, modifiers: Modifiers) -> None:
         """The left button went down."""
@@ -292,7 +292,7 @@ class Editor(QObject):
 
     def delete_element(self) -> None:
         """Remove the selected element, also what is being clicked of it; say why nothing is."""
-        document, name = self._document, self._document.state.selected_class
+        services, name = self._services, self._services.state.selected_class
         if not self._begin_on(self._context()):
             return
         if dropped := len(self._draw.points):
@@ -301,8 +301,8 @@ class Editor(QObject):
         self._do(reaction)
         if reaction.handled:
             return
-        title = tr(document.state.field.title_of(name)) if name is not None else ""
-        document.say(why_not_deleted(title, dropped), "info")
+        title = tr(services.state.field.title_of(name)) if name is not None else ""
+        services.say(why_not_deleted(title, dropped), "info")
 
     def finish(self) -> None:
         """The frame is about to be left: what is under way becomes an edit, a single click an
@@ -315,35 +315,35 @@ class Editor(QObject):
 
     @property
     def _tool(self) -> DrawTool | EditTool:
-        return self._draw if self._document.state.mode == "draw" else self._edit
+        return self._draw if self._services.state.mode == "draw" else self._edit
 
     def _context(self) -> ToolContext:
-        document = self._document
+        services = self._services
         return ToolContext(
-            document.state.annotation,
-            document.state.picture_size or (2, 2),
+            services.state.annotation,
+            services.state.picture_size or (2, 2),
             self.view_scale,
-            document.state.selected_class,
-            document.state.selection.point,
-            document.state.selection.points,
+            services.state.selected_class,
+            services.state.selection.point,
+            services.state.selection.points,
             self.curved,
             self._snapper if self._snapper.wanted else None,
-            document.state.options.pinned,
-            document.state.options.two_clicks,
-            document.state.field.title_of,
+            services.state.options.pinned,
+            services.state.options.two_clicks,
+            services.state.field.title_of,
             self.spots,
-            unnamed_class(document.state.annotation) if document.state.options.draw_first else None,
-            document.state.selection.continues,
+            unnamed_class(services.state.annotation) if services.state.options.draw_first else None,
+            services.state.selection.continues,
         )
 
     def _begin_on(self, seen: ToolContext) -> bool:
         """Return whether a gesture may begin: the frame can be edited, no one else has it, and no
         one changed what is chosen since it was ``seen``; that is to be checked first."""
-        document = self._document
+        services = self._services
         if (
-            document.state.frame is None
-            or not document.state.editable
-            or not document.editing.begin_edit()
+            services.state.frame is None
+            or not services.state.editable
+            or not services.editing.begin_edit()
         ):
             return False
         now, names = self._context(), {name for name, _ in seen.chosen_points}
@@ -353,28 +353,28 @@ class Editor(QObject):
         if not changed or self._draw.busy:  # what is being drawn goes on from whatever there is
             return True
         if now.chosen_points != seen.chosen_points:
-            document.selecting.select_class(
+            services.selection.select_class(
                 None
             )  # the same key again must not mean the whole element
-        titles = ", ".join(tr(document.state.field.title_of(name)) for name in changed)
+        titles = ", ".join(tr(services.state.field.title_of(name)) for name in changed)
         text = tr("{titles}: changed elsewhere, look again first", titles=titles)
-        document.say(text, "info")
+        services.say(text, "info")
         return False
 
     def _workable(self) -> ToolContext | None:
         """Return what a gesture may look at; one that has begun ends even if its lock was lost."""
         begun = self._draw.busy or self._edit.busy
-        return self._context() if self._document.state.editable or begun else None
+        return self._context() if self._services.state.editable or begun else None
 
     def _look_before(self) -> None:
         """Remember the elements of the last annotated frame: they are likely here too."""
-        workspace, index = self._document.state.workspace, self._document.state.frame_index
+        workspace, index = self._services.state.workspace, self._services.state.frame_index
         self.seen_before = frozenset()
         if workspace is not None and (found := annotated_before(workspace, index)) is not None:
             self.seen_before = frozenset(found[1].annotated)
 
     def _finish_for_another_class(self) -> None:
-        chosen = self._document.state.selected_class
+        chosen = self._services.state.selected_class
         if not self._draw.busy or chosen == self._draw.class_name:
             return
         if self._draw.unnamed and (chosen is None or self._draw.call(chosen)):
@@ -386,7 +386,7 @@ class Editor(QObject):
         if not self._draw.busy:
             return
         name, count = self._draw.class_name, len(self._draw.points)
-        before = self._document.state.annotation
+        before = self._services.state.annotation
         edit = self._draw.finish(self._context()).edit
         if edit is None or name is None:
             return
@@ -396,10 +396,10 @@ class Editor(QObject):
             edit = replace(edit, annotation=editing.add_unconfirmed(before, [drawn]))
         self._commit(edit)
         if not keep_selection:
-            self._document.selecting.select_class(name)
-        frame = self._document.state.frame_name or ""
-        title = tr(self._document.state.field.title_of(name))
-        self._document.say(waiting(title, frame) if waits else finished(title, count, frame))
+            self._services.selection.select_class(name)
+        frame = self._services.state.frame_name or ""
+        title = tr(self._services.state.field.title_of(name))
+        self._services.say(waiting(title, frame) if waits else finished(title, count, frame))
         self.changed.emit()
 
     def _keep_clicks(self) -> None:
@@ -413,17 +413,17 @@ class Editor(QObject):
             elif context.polyline(name) is not None:  # what is in the file has its name
                 name = unnamed_class(context.annotation)
             kept = Polyline(name, points)
-        self._document.editing.keep_clicks(kept, snapped)
+        self._services.editing.keep_clicks(kept, snapped)
 
     def _commit(self, edit: Edit) -> bool:
-        return self._document.editing.commit_edit(
+        return self._services.editing.commit_edit(
             edit.label, edit.annotation, edit.kind, edit.snapped
         )
 
     def _look_under(self) -> None:
         """Find what is under the cursor; it may change without a move of the mouse."""
-        document, context = self._document, self._workable()
-        looking = document.state.mode == "edit" or document.state.selected_class is None
+        services, context = self._services, self._workable()
+        looking = services.state.mode == "edit" or services.state.selected_class is None
         if context is None or self._cursor is None or not looking:
             self._hover(None)
         elif not self._edit.busy:
@@ -437,45 +437,45 @@ class Editor(QObject):
     def _hover(self, hit: Hit | None) -> None:
         if hit != self._over:
             self._over = hit
-            self._document.selecting.hover_class(hit.class_name if hit is not None else None)
+            self._services.selection.hover_class(hit.class_name if hit is not None else None)
 
     def _do(self, reaction: Reaction) -> None:
         """Apply the reaction of a tool in one transaction."""
         if reaction.handled:
-            with self._document.store.transaction():
+            with self._services.store.transaction():
                 self._take(reaction)
 
     def _take(self, reaction: Reaction) -> None:
         """In an order in which indices of points are valid."""
-        document = self._document
+        services = self._services
         if reaction.message:
-            document.say(reaction.message, "info")
+            services.say(reaction.message, "info")
         if reaction.explanation:
-            document.say(reaction.explanation, "info")
+            services.say(reaction.explanation, "info")
             if not self._explained:
                 self.explained.emit(reaction.explanation)
             self._explained = True
         if reaction.cancelled:
-            document.editing.set_preview(None)
+            services.editing.set_preview(None)
         if reaction.preview is not None:
-            document.editing.set_preview(reaction.preview)
+            services.editing.set_preview(reaction.preview)
         if reaction.edit is not None:
             self._commit(reaction.edit)
         if (chosen := reaction.select) is not None:
             if chosen.class_name is None or chosen.point is None:
-                document.selecting.select_point(None)
-                document.selecting.select_class(chosen.class_name)
+                services.selection.select_point(None)
+                services.selection.select_class(chosen.class_name)
             else:
-                document.selecting.select_point(chosen.class_name, chosen.point, chosen.points)
+                services.selection.select_point(chosen.class_name, chosen.point, chosen.points)
         if (
             reaction.finished
-            and document.state.mode == "draw"
+            and services.state.mode == "draw"
             and (name := self.upcoming) is not None
         ):
-            document.selecting.select_class(name)
+            services.selection.select_class(name)
         if reaction.to_name is not None:
             self.lineFinished.emit(reaction.to_name)
         if reaction.completed is not None:
-            document.selecting.note_finished(reaction.completed)
+            services.selection.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()

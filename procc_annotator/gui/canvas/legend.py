@@ -15,7 +15,7 @@ from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.canvas.viewport_overlays import ViewportOverlay
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
 from procc_annotator.interaction.overlay import ColourBy
 
@@ -30,9 +30,9 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 class CornerLegend(ViewportOverlay):
     """Explains what is over the picture at its lower right corner, and nothing else."""
 
-    def __init__(self, document: Document, view: PictureView, comparison: OtherSources) -> None:
+    def __init__(self, services: Services, view: PictureView, comparison: OtherSources) -> None:
         super().__init__(view.viewport(), "cornerLegend")
-        self._document, self._viewport, self._comparison = document, view.viewport(), comparison
+        self._services, self._viewport, self._comparison = services, view.viewport(), comparison
         self.entries: tuple[LegendEntry, ...] = ()
         self._wanted, self._bare = True, False
         self._others: tuple[tuple[str, str], ...] = ()
@@ -42,14 +42,14 @@ class CornerLegend(ViewportOverlay):
         view.resized.connect(self._soon.start)
         for beneath in self._beneath():
             beneath.installEventFilter(self)
-        document.store.watch(
+        services.store.watch(
             lambda s: (select.score(s), select.cameras(s), s.blind), self._soon.start
         )
         for signal in (
-            document.source_frames.changed,
-            document.ghosts.changed,
-            document.second.changed,
-            document.review.originsChanged,
+            services.source_frames.changed,
+            services.ghosts.changed,
+            services.second_annotator.changed,
+            services.review.originsChanged,
         ):
             signal.connect(self._soon.start)
 
@@ -80,7 +80,7 @@ class CornerLegend(ViewportOverlay):
     # --- inside ---
 
     def _look(self) -> None:
-        shown = self._wanted and not self._bare and self._document.state.frame is not None
+        shown = self._wanted and not self._bare and self._services.state.frame is not None
         self.entries = corner_legend(self._there()) if shown else ()
         self.setAccessibleName("; ".join(entry.text for entry in self.entries))
         self._stand()
@@ -94,9 +94,9 @@ class CornerLegend(ViewportOverlay):
         self.setVisible(bool(self.entries) and not near)
 
     def _there(self) -> OnPicture:
-        document = self._document
-        annotation, score = document.state.annotation, document.judge.score
-        painted, foresight = document.ghosts.painted, document.foresight
+        services = self._services
+        annotation, score = services.state.annotation, services.scorer.score
+        painted, foresight = services.ghosts.painted, services.prediction
         unsure = foresight.stands_in and bool(foresight.doubt)
         origins = self._origins()
         return OnPicture(
@@ -107,17 +107,18 @@ class CornerLegend(ViewportOverlay):
             authors=origins[1],
             ghosts=("unsure" if unsure else "sure") if painted else "",
             unconfirmed=bool(annotation.unconfirmed),
-            second=document.second.annotation is not None and document.state.projection_visible,
+            second=services.second_annotator.annotation is not None
+            and services.state.projection_visible,
             others=self._comparison.names_of_others(),
         )
 
     def _origins(self) -> tuple[frozenset[str], tuple[str, ...]]:
         """Return origins and authors of the points."""
-        document = self._document
-        if self._by not in ("origin", "annotator") or document.state.frame is None:
+        services = self._services
+        if self._by not in ("origin", "annotator") or services.state.frame is None:
             return frozenset(), ()
-        known = document.review.origins(document.state.frame.name) or {}
-        keys = {(p.u, p.v) for line in document.state.annotation.polylines for p in line.points}
+        known = services.review.origins(services.state.frame.name) or {}
+        keys = {(p.u, p.v) for line in services.state.annotation.polylines for p in line.points}
         kinds = {known[key].kind if key in known else OriginKind.FILE for key in keys}
         authors = tuple(sorted({origin.author for origin in known.values()}))
         return frozenset(kind.value for kind in kinds), authors

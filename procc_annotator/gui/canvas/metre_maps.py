@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QGraphicsItem, QGraphicsScene, QStyleOptionGraphic
 
 from procc_annotator.gui.canvas.map_painting import paint_lines, paint_shapes
 from procc_annotator.gui.canvas.viewport_overlays import ViewportOverlay
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.map_shapes import MapShapes
-from procc_annotator.gui.state.maps import KnownGround
+from procc_annotator.gui.state.maps import GroundAccuracy
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY, LevelLine, MapStyle
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M
@@ -208,15 +208,15 @@ class MetreMaps(QObject):
     """Belongs to the canvas: shows the disagreement of two cameras, or the uncertainty of the
     fitted one; never both."""
 
-    def __init__(self, document: Document, viewport: QWidget, scene: QGraphicsScene) -> None:
+    def __init__(self, services: Services, viewport: QWidget, scene: QGraphicsScene) -> None:
         super().__init__(viewport)
-        self._document = document
+        self._services = services
         self._hidden = False
         self.item = MetreMapItem()
         scene.addItem(self.item)
         self.legend = MetreMapLegend(viewport)
-        document.disagreement.changed.connect(self._show)
-        document.uncertainty.changed.connect(self._show)
+        services.disagreement.changed.connect(self._show)
+        services.uncertainty.changed.connect(self._show)
 
     def set_hidden(self, hidden: bool) -> None:
         """Hide the map with the other overlays."""
@@ -229,9 +229,9 @@ class MetreMaps(QObject):
         self.legend.place()
 
     def _show(self) -> None:
-        if self._hidden or self._document.state.frame is None:
+        if self._hidden or self._services.state.frame is None:
             self._show_nothing()
-        elif self._document.uncertainty.enabled:
+        elif self._services.uncertainty.enabled:
             self._show_uncertainty()
         else:
             self._show_disagreement()
@@ -241,10 +241,10 @@ class MetreMaps(QObject):
         self.legend.hide()
 
     def _show_disagreement(self) -> None:
-        document, watch = self._document, self._document.disagreement
+        services, watch = self._services, self._services.disagreement
         found = watch.value
         shown = found.picture if found is not None else None
-        self.item.show_shapes(shown, document.state.setup.size, document.state.picture_size)
+        self.item.show_shapes(shown, services.state.setup.size, services.state.picture_size)
         if found is not None:
             title = f"{found.names[0]} ↔ {found.names[1]}"
             limit = tr("{metres:g} m, asked of offside technology", metres=OFFSIDE_ACCURACY_M)
@@ -256,20 +256,20 @@ class MetreMaps(QObject):
             self.legend.hide()
 
     def _show_uncertainty(self) -> None:
-        watch = self._document.uncertainty
+        watch = self._services.uncertainty
         found = watch.value
         if found is None:
             self.item.show_shapes(None, (0, 0), None)
         else:
             size = found.values.fit.size
-            self.item.show_shapes(found.picture, size, self._document.state.picture_size)
+            self.item.show_shapes(found.picture, size, self._services.state.picture_size)
         if watch.problem:
             self.legend.show_for(UNCERTAINTY, None, watch.problem)
         else:
             self.legend.show_for(UNCERTAINTY, _words(found))
 
 
-def _words(found: KnownGround | None) -> MapWords:
+def _words(found: GroundAccuracy | None) -> MapWords:
     """Return what the legend says of the ground; the same room is taken while it is worked out."""
     title, unit = tr("How good the fitted camera is"), tr("metres on the ground, 1 sd")
     lines = []

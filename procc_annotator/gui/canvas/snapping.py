@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import same
 from procc_annotator.image.line_snapping import snap_to_line
 from procc_annotator.image.pixels import PixelArray
@@ -22,17 +22,17 @@ class ScreenSnapper:
     draws before the mouse moved takes what is `remembered`: looking takes as long as painting.
     """
 
-    def __init__(self, document: Document) -> None:
-        self._document = document
+    def __init__(self, services: Services) -> None:
+        self._services = services
         self._made_of: tuple[object, ...] = ()
         self._snap: Snapper | None = None
         self._found: dict[Sought, Position | None] = {}  # the latest last
-        document.store.watch(select.frame, self._forget)
+        services.store.watch(select.frame, self._forget)
 
     @property
     def wanted(self) -> bool:
         """Return whether clicks are to snap, and there is a picture to look in."""
-        state = self._document.state
+        state = self._services.state
         return state.options.snapping and state.picture is not None
 
     def __call__(
@@ -56,17 +56,17 @@ class ScreenSnapper:
     def _is_ready(self) -> bool:
         """Return whether there is something to look in; what was found in another picture, or with
         another camera, is forgotten."""
-        document = self._document
+        services = self._services
         # No one waits for the whole picture who only looks: a press does (`Canvas`).
-        picture, fit = document.state.picture, document.live_fit.result
-        size = document.state.picture_size
+        picture, fit = services.state.picture, services.live_fit.result
+        size = services.state.picture_size
         if picture is None or size is None:
             return False
         camera = fit.camera if fit is not None and fit.size == size else None
-        made_of = picture, document.state.field, camera
+        made_of = picture, services.state.field, camera
         if self._snap is None or not same(made_of, self._made_of):
             self._made_of = made_of
-            expected = ExpectedLines(document.state.field, size[0], camera)
+            expected = ExpectedLines(services.state.field, size[0], camera)
             self._snap, self._found = _snapper(picture, expected), {}
         return True
 

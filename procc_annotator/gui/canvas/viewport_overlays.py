@@ -22,7 +22,7 @@ from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import State
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.palette import UNSURE_GHOST
@@ -273,14 +273,14 @@ _COMMITTED = word("Blind mode, this frame is committed")
 class BlindFrame(QObject):
     """Four edges and a badge; none of them takes the mouse or moves the picture."""
 
-    def __init__(self, document: Document, view: PictureView) -> None:
+    def __init__(self, services: Services, view: PictureView) -> None:
         viewport = view.viewport()
         super().__init__(viewport)
-        self._viewport, self._store = viewport, document.store
+        self._viewport, self._store = viewport, services.store
         self.edges = [_Edge(viewport, f"blindEdge{i}") for i in range(4)]  # not shown
         self.badge = NamePlate(viewport, "blindBadge")
         view.resized.connect(self._stand_if_shown)
-        document.store.watch(_shown, self._show)
+        services.store.watch(_shown, self._show)
         self._show()
 
     def _stand_if_shown(self) -> None:
@@ -331,12 +331,12 @@ _GREY = tones.UNKNOWN_CLASS
 class FoundPlate(NamePlate):
     """Says whether a camera is looked for, sure, unsure or none, and why; in words and colour."""
 
-    def __init__(self, document: Document, view: PictureView) -> None:
+    def __init__(self, services: Services, view: PictureView) -> None:
         super().__init__(view.viewport(), "foundPlate")
-        self._document, self._viewport = document, view.viewport()
+        self._services, self._viewport = services, view.viewport()
         self._soon = after_paint(self, self._show)
-        document.foresight.changed.connect(self._soon.start)
-        document.store.watch(lambda s: (select.annotation(s), select.mode(s)), self._soon.start)
+        services.prediction.changed.connect(self._soon.start)
+        services.store.watch(lambda s: (select.annotation(s), select.mode(s)), self._soon.start)
         view.resized.connect(self._stand)
 
     def _show(self) -> None:
@@ -360,23 +360,23 @@ class FoundPlate(NamePlate):
 
     def _words(self) -> tuple[str, str] | None:
         """Text and colour; None where there is nothing to say."""
-        document = self._document
-        state, foresight = document.state, document.foresight
-        if state.frame is None or not document.proposals.allowed:
+        services = self._services
+        state, foresight = services.state, services.prediction
+        if state.frame is None or not services.proposals.allowed:
             return None
-        stands_in = foresight.stands_in or document.corrections.rules
+        stands_in = foresight.stands_in or services.corrections.rules
         if state.annotation.annotated and not stands_in:
             return None  # the clicks say more
-        if (corrected := document.corrections.here) is not None:
-            return _of_corrected(corrected, looking=document.corrections.looking)
-        if document.shot_track.fit_here is not None:
+        if (corrected := services.corrections.here) is not None:
+            return _of_corrected(corrected, looking=services.corrections.looking)
+        if services.shot_track.fit_here is not None:
             doubt = foresight.doubt
             if doubt:
                 return tr("Camera of the track, unsure: {why}", why=doubt), tones.UNSURE_GHOST
             return tr("Camera of the track: Shift+Enter accepts its elements"), tones.PASSES
-        if document.proposals.working:
+        if services.proposals.working:
             return tr("Looking for the camera in the picture …"), _GREY
-        proposal = document.proposals.here
+        proposal = services.proposals.here
         if proposal is None:
             return None
         why = proposal.reason

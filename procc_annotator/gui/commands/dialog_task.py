@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 
 
 class TaskDialog(Protocol):
@@ -32,21 +32,21 @@ class DialogTask(QObject):
     """Shows one dialog at a time, and what became of the work it asked for."""
 
     def __init__(
-        self, document: Document, parent: QWidget, *, priority: Priority = Priority.LOW
+        self, services: Services, parent: QWidget, *, priority: Priority = Priority.LOW
     ) -> None:
         """Nothing is shown yet.
 
         Args:
-            document: whose dataset the dialog is about.
+            services: whose dataset the dialog is about.
             parent: the dialog's.
             priority: of its work.
         """
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._parent = parent
         self._work = LatestOnlyTask(self, self._fail, priority=priority)
         self.dialog: TaskDialog | None = None
-        document.store.watch(select.dataset, self._leave)
+        services.store.watch(select.dataset, self._leave)
 
     def _leave(self) -> None:
         """Put the dialog away, and forget its work."""

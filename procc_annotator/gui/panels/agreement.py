@@ -23,7 +23,7 @@ from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTa
 from procc_annotator.gui.panels.widgets import empty_state
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.agreement import (
     AgreementAccumulator,
     AgreementSummary,
@@ -84,13 +84,13 @@ class _AgreementModel(ElementRowsModel[_Row]):
 class AgreementPanel(QWidget):
     """Distances between two annotators in this frame, and over the set: the human noise floor."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("agreement_panel")
-        self._document = document
+        self._services = services
         self._measuring = LatestOnlyTask(self, self._say_of_set)
         self._build()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (
@@ -101,26 +101,26 @@ class AgreementPanel(QWidget):
                 s.tau,
                 s.projection_visible,
             ),
-            document.second.changed,
+            services.second_annotator.changed,
         )
-        document.second.changed.connect(self._forget_noise)
-        document.second.opened.connect(self._compare)
+        services.second_annotator.changed.connect(self._forget_noise)
+        services.second_annotator.opened.connect(self._compare)
         self._rested = QTimer(self, singleShot=True, interval=_RESTED_MS)
         self._rested.timeout.connect(self._measure_again)
-        document.store.watch(select.score, self._rested.start)
-        document.store.events.framesEdited.connect(self._rested.start)
+        services.store.watch(select.score, self._rested.start)
+        services.store.events.framesEdited.connect(self._rested.start)
         self._refresh()
 
     def open(self, path: Path) -> None:
         """Compare with the annotations of a folder or archive of any format, once they are read."""
-        self._document.second.open(path)
+        self._services.second_annotator.open(path)
 
     def _compare(self) -> None:
-        document = self._document
-        document.second.show(
-            document.state.frame.name if document.state.frame is not None else None
+        services = self._services
+        services.second_annotator.show(
+            services.state.frame.name if services.state.frame is not None else None
         )
-        document.terms.set_noise_floor(None)  # that of another annotator
+        services.evaluation.set_noise_floor(None)  # that of another annotator
         self._say_of_set(tr("Measuring the set…"))
         self._measure_set()
 
@@ -139,10 +139,10 @@ class AgreementPanel(QWidget):
         for column in (1, 2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.table.chosen.connect(
-            lambda row: self._document.selecting.select_class(self.rows.rows[row].class_name)
+            lambda row: self._services.selection.select_class(self.rows.rows[row].class_name)
         )
         self.close_button = QPushButton(tr("Close the second annotator"))
-        self.close_button.clicked.connect(self._document.second.close)
+        self.close_button.clicked.connect(self._services.second_annotator.close)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         for part in (self.empty, self.noise, self.frame, self.table, self.close_button):
@@ -151,8 +151,8 @@ class AgreementPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        document = self._document
-        second = document.second
+        services = self._services
+        second = services.second_annotator
         for part in (self.noise, self.frame, self.table, self.close_button):
             part.setVisible(second.is_open)
         self.empty.setVisible(not second.is_open)
@@ -167,13 +167,13 @@ class AgreementPanel(QWidget):
             )
             self.rows.replace(())
             return
-        if not document.state.projection_visible:
+        if not services.state.projection_visible:
             self.frame.setText(
                 tr("Hidden: blind mode shows the score once this frame is committed.")
             )
             self.rows.replace(())
             return
-        found = second.agreement(document.state.shown_annotation, document.state.setup.size)
+        found = second.agreement(services.state.shown_annotation, services.state.setup.size)
         if found is None:
             self.frame.setText(tr("The second annotator has nothing for this frame."))
             self.rows.replace(())
@@ -181,13 +181,13 @@ class AgreementPanel(QWidget):
         self.frame.setText("\n".join(self._frame_lines(found)))
         # What agrees least comes first.
         ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
-        field = document.state.field
+        field = services.state.field
         self.rows.replace([_row(entry, class_title(field, entry.class_name)) for entry in ranked])
 
     def _frame_lines(self, found: FrameAgreement) -> list[str]:
-        document = self._document
-        jac = found.jac(document.state.tau)
-        lines = [tr("Agreement JaC at {tau:g} px: {jac:.3f}", tau=document.state.tau, jac=jac)]
+        services = self._services
+        jac = found.jac(services.state.tau)
+        lines = [tr("Agreement JaC at {tau:g} px: {jac:.3f}", tau=services.state.tau, jac=jac)]
         if found.mirrored_hint:
             lines.append(tr("One of the two seems to label the field turned by 180 degrees."))
         for names, what in (
@@ -199,7 +199,7 @@ class AgreementPanel(QWidget):
             (found.only_b, word("Only there: {elements}")),
         ):
             if names:
-                titles = ", ".join(class_title(document.state.field, n) for n in names)
+                titles = ", ".join(class_title(services.state.field, n) for n in names)
                 lines.append(tr(what, elements=titles))
         beyond = sum(c.left_out for c in found.by_class.values() if not c.apart)
         if beyond:
@@ -213,20 +213,20 @@ class AgreementPanel(QWidget):
         return lines
 
     def _forget_noise(self) -> None:
-        if not self._document.second.is_open:
+        if not self._services.second_annotator.is_open:
             self._measuring.cancel()
-            self._document.terms.set_noise_floor(None)
+            self._services.evaluation.set_noise_floor(None)
 
     # --- the set --------------------------------------------------------------------------
 
     def _measure_set(self) -> None:
         """The noise floor over all frames that both annotated, in the background."""
-        document = self._document
-        workspace, second = document.state.workspace, document.second
+        services = self._services
+        workspace, second = services.state.workspace, services.second_annotator
         self._measuring.cancel()
         if workspace is None:
             return
-        field, size, tau = document.state.field, document.state.setup.size, document.state.tau
+        field, size, tau = services.state.field, services.state.setup.size, services.state.tau
         names = [frame.name for frame in workspace.frames]
         read_other = second.reader()
 
@@ -250,7 +250,7 @@ class AgreementPanel(QWidget):
 
     def _measure_again(self) -> None:
         """Clicks or terms may be others than those that were measured."""
-        if self._document.second.is_open:
+        if self._services.second_annotator.is_open:
             self._measure_set()
 
     def _take_set(self, measured: _MeasuredSet) -> None:
@@ -274,7 +274,7 @@ class AgreementPanel(QWidget):
                 height=size[1],
             )
         self._say_of_set(text, measured.errors)
-        self._document.terms.set_noise_floor(floor)
+        self._services.evaluation.set_noise_floor(floor)
 
     def _say_of_set(self, text: str, errors: tuple[str, ...] = ()) -> None:
         """Put a line on the set; frames that could not be read follow it, their errors in a tip."""

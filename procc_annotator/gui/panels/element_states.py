@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import is_dark, muted, readable
 from procc_annotator.gui.theme import palette as theme_palette
 from procc_annotator.interaction import palette as tones
@@ -66,21 +66,21 @@ def words_for(state: ElementState) -> str:
     return tr(WORDS[state], about) if WORDS[state] else ""
 
 
-def element_states(document: Document) -> dict[str, ElementState]:
+def element_states(services: Services) -> dict[str, ElementState]:
     """The state of every class that is annotated, projected or said to be not visible; all others
     are untouched.
 
     Classes bear the names the annotator gave, also where mirrored labels count.
     """
-    states = dict.fromkeys(document.state.shown_annotation.annotated, ElementState.ANNOTATED)
-    score = document.judge.score
+    states = dict.fromkeys(services.state.shown_annotation.annotated, ElementState.ANNOTATED)
+    score = services.scorer.score
     if score is not None:
         for element in score.elements:
             states[element.annotated_name or element.name] = ElementState(element.status)
-    for polyline in document.state.shown_annotation.unconfirmed:
+    for polyline in services.state.shown_annotation.unconfirmed:
         states[polyline.class_name] = ElementState.UNCONFIRMED
-    frame = document.state.frame
-    for name in document.review.not_visible(frame.name) if frame is not None else ():
+    frame = services.state.frame
+    for name in services.review.not_visible(frame.name) if frame is not None else ():
         states.setdefault(name, ElementState.NOT_VISIBLE)
     return states
 

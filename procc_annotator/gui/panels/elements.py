@@ -31,8 +31,8 @@ from procc_annotator.gui.panels.element_states import (
 from procc_annotator.gui.panels.findings.finding_rows import FindingSigns
 from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.panels.widgets import NARROW, SEARCH_KEYS, empty_state
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.class_choice import match_rank
 from procc_annotator.translation import tr, word
@@ -49,29 +49,29 @@ class ElementsPanel(QWidget):
 
     left = Signal()  # the search was finished or given up: the keyboard belongs to the canvas again
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("elements_panel")
-        self._document = document
+        self._services = services
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
         self._shown: dict[str, tuple[ElementState, int, bool]] = {}
-        self._findings = FindingSigns(document)
+        self._findings = FindingSigns(services)
         self._narrow = False
         self._room: tuple[object, ...] = ()  # what the widths of the columns follow from
         self._shaded: str | None = None
         self._build()
         self._fill()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (judged(s), s.selection),
-            document.label_check.changed,
-            document.ghosts.changed,
-            document.review.notVisibleChanged,
+            services.label_check.changed,
+            services.ghosts.changed,
+            services.review.notVisibleChanged,
         )
-        document.store.watch_visible(self, self._show_hover, lambda s: s.hovered_class)
-        document.store.watch(lambda s: (s.field, s.keymap), self._take_field)
+        services.store.watch_visible(self, self._show_hover, lambda s: s.hovered_class)
+        services.store.watch(lambda s: (s.field, s.keymap), self._take_field)
 
     def focus_search(self) -> None:
         """Put the keyboard into the search box, its text ready to be replaced."""
@@ -111,7 +111,7 @@ class ElementsPanel(QWidget):
         self.tree.itemClicked.connect(self._choose)
         self.tree.itemActivated.connect(self._choose)
         self.tree.itemEntered.connect(
-            lambda item: self._document.selecting.hover_class(item.data(0, _CLASS))
+            lambda item: self._services.selection.hover_class(item.data(0, _CLASS))
         )
         self.tree.viewport().installEventFilter(self)
         self.nothing = empty_state("", "elements_empty")
@@ -131,18 +131,18 @@ class ElementsPanel(QWidget):
             self._refresher.request()
 
     def _listed_classes(self) -> tuple[object, ...]:
-        field = self._document.state.field
+        field = self._services.state.field
         looks = ((e.name, e.title, e.group, e.colour, e.shortcut) for e in field.elements)
-        return (*looks, field.classes_without_geometry, self._document.state.keymap)
+        return (*looks, field.classes_without_geometry, self._services.state.keymap)
 
     def _fill(self) -> None:
-        field = self._document.state.field
+        field = self._services.state.field
         self._filled, self._outdated = self._listed_classes(), False
         self.tree.clear()
         for known in (self._items, self._groups, self._shown):
             known.clear()
         self._room = ()
-        keys = element_keys(field, self._document.state.keymap)
+        keys = element_keys(field, self._services.state.keymap)
         self._keys = {name: key.toString(NATIVE) for name, key in keys.items()}
         self._short = short_titles(field)
         self._findings.forget()
@@ -171,7 +171,7 @@ class ElementsPanel(QWidget):
             parent.setExpanded(True)
 
     def _row(self, name: str) -> QTreeWidgetItem:
-        field = self._document.state.field
+        field = self._services.state.field
         title = tr(field.title_of(name)) if field.knows(name) else field.title_of(name)
         item = QTreeWidgetItem([self._short.get(name, title)])
         item.setData(0, _CLASS, name)
@@ -185,8 +185,8 @@ class ElementsPanel(QWidget):
 
     def _match_unknown_classes(self) -> None:
         """List the classes of this file that the field does not know, and only those."""
-        field = self._document.state.field
-        present = [p.class_name for p in self._document.state.shown_annotation]
+        field = self._services.state.field
+        present = [p.class_name for p in self._services.state.shown_annotation]
         unknown = {name for name in present if not field.knows(name)}
         listed = {name for name in self._items if not field.knows(name)}
         for name in listed - unknown:
@@ -207,10 +207,10 @@ class ElementsPanel(QWidget):
             self._fill()
             self._apply_search()
         self._match_unknown_classes()
-        states = element_states(self._document)
-        annotation = self._document.state.shown_annotation
+        states = element_states(self._services)
+        annotation = self._services.state.shown_annotation
         counts = {p.class_name: len(p.points) for p in annotation}
-        best = self._document.ghosts.suggestion
+        best = self._services.ghosts.suggestion
         following = None if best is None else best.name
         # Signalled cell by cell, the view spends milliseconds a frame on it.
         model = self.tree.model()
@@ -248,7 +248,7 @@ class ElementsPanel(QWidget):
             viewport.update(0, row.top(), viewport.width(), row.height())
 
     def _show_selection(self) -> None:
-        item = self._items.get(self._document.state.selected_class or "")
+        item = self._items.get(self._services.state.selected_class or "")
         if item is None:
             self.tree.setCurrentIndex(QModelIndex())
         elif item is not self.tree.currentItem() and not item.isHidden():
@@ -256,7 +256,7 @@ class ElementsPanel(QWidget):
             self.tree.scrollToItem(item)
 
     def _show_hover(self) -> None:
-        hovered, shade = self._document.state.hovered_class, QBrush(muted(self.palette(), 0.82))
+        hovered, shade = self._services.state.hovered_class, QBrush(muted(self.palette(), 0.82))
         for name, brush in ((self._shaded, QBrush()), (hovered, shade)):
             if (item := self._items.get(name or "")) is not None:
                 for column in (NAME, KEY, POINTS, STATUS):
@@ -282,7 +282,7 @@ class ElementsPanel(QWidget):
     def _choose(self, item: QTreeWidgetItem, column: int = 0) -> None:
         name = item.data(0, _CLASS)
         if name is not None:
-            self._document.selecting.select_class(name, continues=True)
+            self._services.selection.select_class(name, continues=True)
         elif column >= 0:
             item.setExpanded(not item.isExpanded())
 
@@ -290,7 +290,7 @@ class ElementsPanel(QWidget):
         query = self.search.text()
         likeliness = self._likeliness() if query.strip() else {}
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
-        title_of = self._document.state.field.title_of
+        title_of = self._services.state.field.title_of
         for name, item in self._items.items():
             fit = match_rank(query, tr(title_of(name)), name, self._keys.get(name, ""))
             item.setHidden(fit is None)
@@ -316,7 +316,7 @@ class ElementsPanel(QWidget):
 
     def _likeliness(self) -> dict[str, tuple[bool, float]]:
         """Between classes that fit as well: first what is missing, and near what is annotated."""
-        field, annotated = self._document.state.field, self._document.state.annotation.annotated
+        field, annotated = self._services.state.field, self._services.state.annotation.annotated
         apart = distances_from(field, annotated)
         near = dict(
             zip(field.index, np.where(np.isfinite(apart), apart, 0.0).tolist(), strict=True)
@@ -325,7 +325,7 @@ class ElementsPanel(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
-            self._document.selecting.hover_class(None)
+            self._services.selection.hover_class(None)
         if watched is self.search and isinstance(event, QKeyEvent):
             if event.type() == QEvent.Type.ShortcutOverride and event.key() in SEARCH_KEYS:
                 event.accept()  # here they search, they do not finish a polyline

@@ -42,10 +42,10 @@ from procc_annotator.gui.panels.widgets import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.prediction.live_fit import MODELS
-from procc_annotator.gui.state.scoring.frame_score import SecondOpinion
+from procc_annotator.gui.state.scoring.frame_score import CachedScore
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.translation import tr, tr_count, word
@@ -173,21 +173,21 @@ _GREY_AFTER_MS = 100  # most fits are there by then
 class FitPanel(QWidget):
     """Displays the live fit; a click on an element flies to its worst point."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("fit_panel")
-        self._document = document
+        self._services = services
         self._shown: FrameAnalysis | None = None
         self._frame: str | None = None
-        self._opinion = SecondOpinion()
+        self._opinion = CachedScore()
         self._build()
         self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
         self._slow.timeout.connect(self._say_working)
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
-            document.live_fit.changed,
+            services.live_fit.changed,
         )
 
     def sizeHint(self) -> QSize:
@@ -237,7 +237,7 @@ class FitPanel(QWidget):
         for model in MODELS:
             self.model.addItem(tr(MODEL_WORDS[model]), model)
         self.model.activated.connect(
-            lambda: self._document.live_fit.set_model(self.model.currentData())
+            lambda: self._services.live_fit.set_model(self.model.currentData())
         )
         caption = QLabel(tr("Model"))
         caption.setBuddy(self.model)
@@ -309,11 +309,11 @@ class FitPanel(QWidget):
     # --- showing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        document, live = self._document, self._document.live_fit
+        services, live = self._services, self._services.live_fit
         with QSignalBlocker(self.model):
             self.model.setCurrentIndex(self.model.findData(live.model))
         insight = live.insight
-        frame = document.state.frame.name if document.state.frame is not None else None
+        frame = services.state.frame.name if services.state.frame is not None else None
         came, self._frame = frame != self._frame, frame
         if insight is None and live.working and not came and self._shown is not None:
             if not self._slow.isActive():
@@ -332,16 +332,16 @@ class FitPanel(QWidget):
         self._pages.setCurrentWidget(self._shown_page)
 
     def _say_working(self) -> None:
-        if self._document.live_fit.insight is None:
+        if self._services.live_fit.insight is None:
             self.content.setEnabled(False)
             self.save.setEnabled(False)
             show_note(self.chosen, tr("Fitting the clicks…"))
 
     def _why_empty(self, insight: FrameAnalysis | None) -> str:
-        document, live = self._document, self._document.live_fit
-        if document.state.frame is None:
+        services, live = self._services, self._services.live_fit
+        if services.state.frame is None:
             return tr("Open a folder of pictures to see the camera its clicks give.")
-        if barred := document.blind_lock.no_fit:
+        if barred := services.blind_lock.no_fit:
             return tr("{text}.", text=barred)
         if not live.wanted:
             return tr("The live fit is off (Ctrl+T).")
@@ -352,11 +352,11 @@ class FitPanel(QWidget):
         return tr("Fitting the clicks…") if live.working else tr("No fit.")
 
     def _show_fit(self, insight: FrameAnalysis) -> None:
-        document, fit = self._document, insight.fit
-        known = document.source_frames.of(document.fit_source.source)
-        _, score = self._opinion.of(known, insight.annotation, document.judge)
+        services, fit = self._services, insight.fit
+        known = services.source_frames.of(services.fit_source.source)
+        _, score = self._opinion.of(known, insight.annotation, services.scorer)
         self.jac.setText("–" if score is None else f"{score.jac:.3f}")
-        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=document.state.tau))
+        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=services.state.tau))
         show_note(self.counted, "" if score is None else _counted_words(score))
         self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
         left_open = ill_conditioned_reason(fit)
@@ -365,7 +365,7 @@ class FitPanel(QWidget):
         show_note(self.chosen, _chosen_words(fit))
         camera = known.camera if known is not None else None
         ground_only = camera is not None and projects_only_ground(camera)
-        terms = document.state.setup.describe(ground_only=ground_only)
+        terms = services.state.setup.describe(ground_only=ground_only)
         width, height = fit.size
         show_note(
             self.terms,
@@ -376,8 +376,8 @@ class FitPanel(QWidget):
                 height=height,
             ),
         )
-        self.rows.replace(fit_rows(fit, insight.annotation, document.judge.frame_setup.field))
-        self.table.show_chosen(document.state.selected_class)
+        self.rows.replace(fit_rows(fit, insight.annotation, services.scorer.frame_setup.field))
+        self.table.show_chosen(services.state.selected_class)
         figures = pose_figures(fit)
         self.figures.setVisible(bool(figures))
         for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
@@ -387,19 +387,19 @@ class FitPanel(QWidget):
     # --- choosing ------------------------------------------------------------------------------
 
     def _fly(self, at: int) -> None:
-        document, row = self._document, self.rows.rows[at]
-        polyline = document.state.annotation.get(row.class_name)
+        services, row = self._services, self.rows.rows[at]
+        polyline = services.state.annotation.get(row.class_name)
         if polyline is None or not polyline.points:
             return
         # While new clicks are fitted the rows are those of the clicks before.
         point = row.point if row.point is not None and row.point < len(polyline.points) else None
         if point is not None:
-            document.selecting.select_point(row.class_name, point)
+            services.selection.select_point(row.class_name, point)
         else:
-            document.selecting.select_class(row.class_name)
-        if document.state.picture_size is not None:
-            x, y = points_px(polyline, document.state.picture_size)[point or 0]
-            document.store.events.flyTo.emit(float(x), float(y))
+            services.selection.select_class(row.class_name)
+        if services.state.picture_size is not None:
+            x, y = points_px(polyline, services.state.picture_size)[point or 0]
+            services.store.events.flyTo.emit(float(x), float(y))
 
 
 def _chosen_words(fit: FitResult) -> str:

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE, empty_state, note_label, show_note
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count, word
 
 _COLUMNS = (word("Landmark"), "x, y, z  m", "± m", word("Views"))
@@ -49,16 +49,16 @@ class LandmarksPanel(QWidget):
 
     left = Signal()  # the keyboard belongs to the canvas again
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("landmarks_panel")
-        self._document = document
+        self._services = services
         self._build()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (s.workspace, s.frame_index, s.annotation, s.field, s.selection),
-            document.landmarks.changed,
+            services.landmarks.changed,
         )
         self._refresh()
 
@@ -146,7 +146,7 @@ class LandmarksPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        landmarks, opened = self._document.landmarks, self._document.state.workspace is not None
+        landmarks, opened = self._services.landmarks, self._services.state.workspace is not None
         entries = landmarks.entries
         self.empty.setVisible(not entries)
         self.list.setVisible(bool(entries))
@@ -156,7 +156,7 @@ class LandmarksPanel(QWidget):
             for mark in entries:
                 item = self._item(mark)
                 self.list.addTopLevelItem(item)
-                if mark.name == (self._document.state.selected_class or chosen):
+                if mark.name == (self._services.state.selected_class or chosen):
                     self.list.setCurrentItem(item)
         self.name.setEnabled(opened and not landmarks.problem)
         self.add.setEnabled(opened and not landmarks.problem)
@@ -165,7 +165,7 @@ class LandmarksPanel(QWidget):
         self._refresh_views()
 
     def _item(self, mark: Landmark) -> QTreeWidgetItem:
-        landmarks = self._document.landmarks
+        landmarks = self._services.landmarks
         frames = landmarks.frames_with(mark.name)
         place = "" if mark.position is None else "{:.2f}, {:.2f}, {:.2f}".format(*mark.position)
         worst = _worst_m(mark)
@@ -182,7 +182,7 @@ class LandmarksPanel(QWidget):
         item.setToolTip(1, _origin(mark))
         item.setToolTip(2, tr("Standard deviation in the direction where it is largest"))
         item.setToolTip(3, ", ".join(frames or ()) or tr("Not clicked in any frame yet"))
-        element = self._document.judge.frame_setup.field.element(mark.name)
+        element = self._services.scorer.frame_setup.field.element(mark.name)
         if element is not None:
             swatch = QPixmap(_SWATCH, _SWATCH)
             swatch.fill(QColor(element.colour))
@@ -190,7 +190,7 @@ class LandmarksPanel(QWidget):
         return item
 
     def _refresh_chosen(self) -> None:
-        landmarks, name = self._document.landmarks, self._chosen
+        landmarks, name = self._services.landmarks, self._chosen
         mark = next((m for m in landmarks.entries if m.name == name), None)
         usable = mark is not None and not landmarks.problem
         for part in (self.title, self.place, self.survey, self.remove):
@@ -198,7 +198,7 @@ class LandmarksPanel(QWidget):
         why_not = self._why_not_triangulated(mark)
         self.triangulate.setEnabled(not why_not)
         self.triangulate.setToolTip(why_not or tr(_TRIANGULATE))
-        opened = self._document.state.workspace is not None and not landmarks.problem
+        opened = self._services.state.workspace is not None and not landmarks.problem
         show_note(self.hint, why_not if opened else "")
         self.triangulate.setText(
             tr("Triangulating…") if landmarks.triangulation.working else tr("Triangulate")
@@ -211,7 +211,7 @@ class LandmarksPanel(QWidget):
 
     def _why_not_triangulated(self, mark: Landmark | None) -> str:
         """Return what is to be done before a landmark can be triangulated; empty for nothing."""
-        landmarks = self._document.landmarks
+        landmarks = self._services.landmarks
         if landmarks.problem:
             return as_sentence(landmarks.problem)
         if mark is None:
@@ -241,9 +241,9 @@ class LandmarksPanel(QWidget):
         )
 
     def _what_to_name(self) -> str:
-        if self._document.landmarks.entries:
+        if self._services.landmarks.entries:
             return tr("Choose a landmark in the list to have it triangulated.")
-        field, clicked = self._document.state.field, self._document.state.annotation.polylines
+        field, clicked = self._services.state.field, self._services.state.annotation.polylines
         names = [
             p.class_name.strip()
             for p in clicked
@@ -261,7 +261,7 @@ class LandmarksPanel(QWidget):
         )
 
     def _refresh_views(self) -> None:
-        views = self._document.landmarks.other_views()
+        views = self._services.landmarks.other_views()
         self.views.clear()
         for index, name, view in views:
             item = QListWidgetItem(f"{view}  ({name})" if view else name)
@@ -269,8 +269,8 @@ class LandmarksPanel(QWidget):
             self.views.addItem(item)
         self.views.setVisible(bool(views))
         self.views_title.setText(tr(_HERE) if views else tr(_ALONE))
-        self.views_title.setVisible(self._document.state.frame is not None)
-        self.group.setVisible(self._document.state.frame is not None)
+        self.views_title.setVisible(self._services.state.frame is not None)
+        self.group.setVisible(self._services.state.frame is not None)
 
     # --- hands ----------------------------------------------------------------------------
 
@@ -281,26 +281,26 @@ class LandmarksPanel(QWidget):
 
     def _choose(self) -> None:
         if (name := self._chosen) is not None:
-            self._document.selecting.select_class(name, continues=True)
+            self._services.selection.select_class(name, continues=True)
         self._refresh_chosen()
 
     def _add(self) -> None:
         name = self.name.text().strip()
         if not name:
-            self._document.say(tr("a landmark needs a name: write one beside Add"), "warning")
+            self._services.say(tr("a landmark needs a name: write one beside Add"), "warning")
             self.name.setFocus()
-        elif self._document.landmarks.add(name):
+        elif self._services.landmarks.add(name):
             self.name.clear()
-            self._document.selecting.select_class(name, continues=True)
+            self._services.selection.select_class(name, continues=True)
             self.left.emit()
 
     def _retitle(self) -> None:
         if (name := self._chosen) is not None and self.title.isModified():
             self.title.setModified(False)
-            self._document.landmarks.retitle(name, self.title.text())
+            self._services.landmarks.retitle(name, self.title.text())
 
     def _survey(self) -> None:
-        if (name := self._chosen) is not None and self._document.landmarks.survey(
+        if (name := self._chosen) is not None and self._services.landmarks.survey(
             name, self.place.text()
         ):
             self.place.setModified(False)
@@ -308,11 +308,11 @@ class LandmarksPanel(QWidget):
 
     def _triangulate(self) -> None:
         if (name := self._chosen) is not None:
-            self._document.landmarks.triangulation.start(name)
+            self._services.landmarks.triangulation.start(name)
 
     def _remove(self) -> None:
         """Forget the chosen landmark; one that has a place only if that is meant."""
-        landmarks, name = self._document.landmarks, self._chosen
+        landmarks, name = self._services.landmarks, self._chosen
         mark = next((m for m in landmarks.entries if m.name == name), None)
         if mark is None:
             return
@@ -321,7 +321,7 @@ class LandmarksPanel(QWidget):
         ):
             return
         if landmarks.remove(mark.name):
-            self._document.say(
+            self._services.say(
                 tr(
                     "deleted the landmark {title}; clicks on it stay in the annotations",
                     title=mark.shown_title,
@@ -329,7 +329,7 @@ class LandmarksPanel(QWidget):
             )
 
     def _go(self, item: QListWidgetItem) -> None:
-        self._document.walk.go_to(int(item.data(_NAME)))
+        self._services.navigator.go_to(int(item.data(_NAME)))
 
 
 def _worst_m(mark: Landmark) -> float | None:

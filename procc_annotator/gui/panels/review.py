@@ -22,7 +22,7 @@ from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.palette import ORIGINS
 from procc_annotator.translation import tr, tr_count, word
@@ -51,24 +51,24 @@ class ReviewPanel(QWidget):
 
     left = Signal()  # the keyboard belongs to the canvas again
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("review_panel")
-        self._document = document
+        self._services = services
         self._shown: tuple[Comment, ...] = ()
         self._build()
         self._typed: dict[str, str] = {}  # comments under way, by frame
         self._typed_on: str | None = None
-        document.store.watch(select.dataset, self._begin_dataset)
-        document.store.watch(select.frame, self._begin_frame)
+        services.store.watch(select.dataset, self._begin_dataset)
+        services.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (s.workspace, s.frame_index, s.annotation),
-            document.review.statusChanged,
-            document.review.originsChanged,
-            document.review.settingChanged,
+            services.review.statusChanged,
+            services.review.originsChanged,
+            services.review.settingChanged,
         )
         self._refresh()
 
@@ -130,7 +130,7 @@ class ReviewPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        document, frame = self._document, self._document.state.frame
+        services, frame = self._services, self._services.state.frame
         for part in (self.status, self.text, self.send):
             part.setEnabled(frame is not None)
         if frame is None:
@@ -139,18 +139,18 @@ class ReviewPanel(QWidget):
             self.origins.setText(tr("Open a folder of pictures first."))
             self._show_thread(())
             return
-        record = document.review.record(frame.name)
+        record = services.review.record(frame.name)
         self.status.setCurrentIndex(self.status.findData(record.status))
         self.time.setText(_duration(record.seconds))
         self._show_blind(frame.name)
-        counts = document.review.origin_counts(frame.name, document.state.annotation)
+        counts = services.review.origin_counts(frame.name, services.state.annotation)
         # The squares are the legend of the colours by provenance.
         points = ", ".join(
             f'<span style="color:{ORIGINS[kind.value][0]}">■</span>'  # not shown
             + f" {n} {tr(kind.value, 'points')}"
             for kind, n in counts.items()
         )
-        waiting = len(document.state.annotation.unconfirmed)
+        waiting = len(services.state.annotation.unconfirmed)
         lines = [tr("Points: {kinds}", kinds=points) if points else tr("Points: none")]
         if waiting:
             lines.append(
@@ -161,15 +161,15 @@ class ReviewPanel(QWidget):
                 )
             )
         self.origins.setText("<br>".join(lines))
-        self._show_thread(document.review.comments(frame.name))
+        self._show_thread(services.review.comments(frame.name))
 
     def _show_blind(self, frame: str) -> None:
         """Show whether the clicks were committed before any camera was shown."""
-        commit = self._document.review.blind_commit(frame)
+        commit = self._services.review.blind_commit(frame)
         if commit is None:
             show_note(self.blind, "")
             return
-        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._document.state.annotation)]))
+        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._services.state.annotation)]))
         words = tr("Committed in blind mode by {author}", author=commit.author or tr("somebody"))
         if commit.time:
             words += f", {datetime.fromtimestamp(commit.time):%Y-%m-%d %H:%M}"
@@ -201,30 +201,30 @@ class ReviewPanel(QWidget):
     # --- doing ----------------------------------------------------------------------------
 
     def _choose(self, index: int) -> None:
-        frame = self._document.state.frame
+        frame = self._services.state.frame
         if frame is None:
             return
         status = Status(self.status.itemData(index))  # Qt keeps the text only
         if status is Status.DONE:
-            self._document.editing.commit_frame()
+            self._services.editing.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
             # What is in progress is part of what is judged.
-            self._document.store.events.aboutToLeave.emit()
-            self._document.review.set_status(frame.name, status)
+            self._services.store.events.aboutToLeave.emit()
+            self._services.review.set_status(frame.name, status)
 
     def _send(self) -> None:
-        frame = self._document.state.frame
+        frame = self._services.state.frame
         if frame is not None and self.text.text().strip():
-            self._document.review.add_comment(frame.name, self.text.text())
+            self._services.review.add_comment(frame.name, self.text.text())
             self.text.clear()
 
     def _begin_frame(self) -> None:
         """Keep a comment that is being typed for the frame it was begun on."""
-        document, typed = self._document, self.text.text()
+        services, typed = self._services, self.text.text()
         if self._typed_on is not None and typed:
             self._typed[self._typed_on] = typed
-        frame = document.state.frame
+        frame = services.state.frame
         self._typed_on = None if frame is None else frame.name
         self.text.setText(self._typed.pop(self._typed_on or "", ""))
 
@@ -236,7 +236,7 @@ class ReviewPanel(QWidget):
     def _settle(self, item: QListWidgetItem) -> None:
         comment: Comment = item.data(Qt.ItemDataRole.UserRole)
         resolved = item.checkState() is Qt.CheckState.Checked
-        self._document.review.resolve_comment(comment, resolved)
+        self._services.review.resolve_comment(comment, resolved)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.text and isinstance(event, QKeyEvent) and event.key() in _TEXT_KEYS:

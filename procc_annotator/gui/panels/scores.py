@@ -44,8 +44,8 @@ from procc_annotator.gui.panels.widgets import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.measurement import Measurement
@@ -184,9 +184,9 @@ _KEYS = {FaultParty.CAMERA: "F7", FaultParty.ANNOTATION: "F8", FaultParty.FINE: 
 class VerdictRow(QWidget):
     """Shows the verdict on the frame under the active source; a click asks the window to mark."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self.buttons: dict[FaultParty, QToolButton] = {}
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
@@ -220,11 +220,11 @@ class VerdictRow(QWidget):
 
     def refresh(self) -> None:
         """Show what is known now."""
-        document = self._document
-        frame, source = document.state.frame, document.state.active
+        services = self._services
+        frame, source = services.state.frame, services.state.active
         verdict = None
-        if frame is not None and source is not None and document.state.projection_visible:
-            verdict = document.verdicts.verdict(frame.name, source)
+        if frame is not None and source is not None and services.state.projection_visible:
+            verdict = services.verdicts.verdict(frame.name, source)
         for fault, button in self.buttons.items():
             button.setChecked(verdict is not None and verdict.fault is fault)
         show_note(self.note, f"“{verdict.comment}”" if verdict is not None and verdict.comment
@@ -248,21 +248,21 @@ _FIGURES = (
 
 
 class ScoresPanel(QWidget):
-    """Displays the document's score; a click on an element flies to the point that decides."""
+    """Displays the state's score; a click on an element flies to the point that decides."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("scores_panel")
-        self._document = document
+        self._services = services
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._build()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (judged(s), s.selection, s.noise_floor, s.look_of(s.active)),
-            document.review.statusChanged,
-            document.source_frames.changed,
+            services.review.statusChanged,
+            services.source_frames.changed,
         )
 
     def sizeHint(self) -> QSize:
@@ -282,7 +282,7 @@ class ScoresPanel(QWidget):
         self.mirrored = note_label("scores_mirrored")
         layout.addWidget(self.terms)
         layout.addWidget(self.mirrored)
-        self.verdict = VerdictRow(self._document)
+        self.verdict = VerdictRow(self._services)
         layout.addWidget(self.verdict)
         layout.addLayout(self._build_table(), 1)
         self._stack = QStackedLayout(self)
@@ -362,41 +362,41 @@ class ScoresPanel(QWidget):
     # --- showing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        score = self._document.judge.score
-        if score is None or self._document.state.why_not_judged:
+        score = self._services.scorer.score
+        if score is None or self._services.state.why_not_judged:
             self.empty.setText(self._why_empty())
             self._stack.setCurrentIndex(0)
             return
         self._show_figures(score)
-        active = self._document.state.active
+        active = self._services.state.active
         self.verdict.setVisible(active is not None and active.files is not None)
         self.verdict.refresh()
-        measurement = self._document.judge.measurement
+        measurement = self._services.scorer.measurement
         if measurement is not None:
             self.model.show(*score_rows(score, measurement, measurement.setup.field))
             self._show_selection()
         self._stack.setCurrentIndex(1)
 
     def _why_empty(self) -> str:
-        document = self._document
-        if document.state.frame is None:
+        services = self._services
+        if services.state.frame is None:
             return tr("Open a folder of pictures to see scores.")
-        if document.state.active_cameras is None:
+        if services.state.active_cameras is None:
             return tr(
                 "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
             )
-        if not document.state.projection_visible:
+        if not services.state.projection_visible:
             return tr("Hidden: blind mode shows the score once this frame is committed.")
-        if document.judge.score is not None:
-            return tr("JaC –: {why}.", why=document.state.why_not_judged)
-        if document.judge.shown.error:
+        if services.scorer.score is not None:
+            return tr("JaC –: {why}.", why=services.state.why_not_judged)
+        if services.scorer.shown.error:
             return tr(
-                "This frame's camera cannot be used:\n{error}", error=document.judge.shown.error
+                "This frame's camera cannot be used:\n{error}", error=services.scorer.shown.error
             )
-        if document.state.active_cameras is document.fit_source.cameras:
-            why = document.state.active_cameras.why_none(document.state.frame.name)
+        if services.state.active_cameras is services.fit_source.cameras:
+            why = services.state.active_cameras.why_none(services.state.frame.name)
             return tr("No fit to judge: {why}.", why=why)
-        return tr("{name} has no camera for this frame.", name=document.state.active_cameras.name)
+        return tr("{name} has no camera for this frame.", name=services.state.active_cameras.name)
 
     def _show_figures(self, score: FrameScore) -> None:
         self.jac.setText(f"{score.jac:.3f}")
@@ -407,13 +407,13 @@ class ScoresPanel(QWidget):
             value = getattr(score, key)
             unit = " px" if key.endswith("error") else ""
             label.setText("–" if value is None else f"{value:.2f}{unit}")
-        camera = self._document.judge.camera
+        camera = self._services.scorer.camera
         ground_only = camera is not None and projects_only_ground(camera)
-        terms = [self._document.judge.frame_setup.describe(ground_only=ground_only)]
-        if self._document.state.active is self._document.fit_source.source:
+        terms = [self._services.scorer.frame_setup.describe(ground_only=ground_only)]
+        if self._services.state.active is self._services.fit_source.source:
             terms.append(tr(_OWN_FIT))
-        if (floor := self._document.state.noise_floor) is not None:
-            above = floor[1] > self._document.state.tau
+        if (floor := self._services.state.noise_floor) is not None:
+            above = floor[1] > self._services.state.tau
             words = _NOISE_ABOVE_TAU if above else _NOISE
             terms.append(tr(words, median=floor[0], p95=floor[1]))
         if (points := self._points_by_origin()) is not None:
@@ -423,17 +423,17 @@ class ScoresPanel(QWidget):
 
     def _points_by_origin(self) -> str | None:
         """Return how many points of each origin the score rests on."""
-        document = self._document
-        if (frame := document.state.frame) is None:
+        services = self._services
+        if (frame := services.state.frame) is None:
             return None
-        counts = document.review.origin_counts(frame.name, document.state.shown_annotation)
+        counts = services.review.origin_counts(frame.name, services.state.shown_annotation)
         if not counts:
             return None
         kinds = ", ".join(f"{n} {tr(kind.value, 'points')}" for kind, n in counts.items())
         return tr("points: {kinds}", kinds=kinds)
 
     def _show_selection(self) -> None:
-        row = self.table.show_chosen(self._document.state.selected_class)
+        row = self.table.show_chosen(self._services.state.selected_class)
         why = self.model.rows[row].why if row >= 0 else tr(_CHOOSE)
         if self.why.text() != why:
             self.why.setText(why)
@@ -447,11 +447,11 @@ class ScoresPanel(QWidget):
     # --- choosing ------------------------------------------------------------------------------
 
     def _hover(self, index: QModelIndex) -> None:
-        self._document.selecting.hover_class(self.model.rows[index.row()].class_name)
+        self._services.selection.hover_class(self.model.rows[index.row()].class_name)
 
     def eventFilter(self, watched: object, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Leave and watched is self.table.viewport():
-            self._document.selecting.hover_class(None)
+            self._services.selection.hover_class(None)
         return False
 
     def _copy_one(self) -> None:
@@ -465,21 +465,21 @@ class ScoresPanel(QWidget):
     def _fly(self, at: int) -> None:
         row, element = self.model.rows[at], self.model.elements[at]
         if element.deciding_point is not None:
-            self._document.selecting.select_point(row.class_name, element.deciding_point)
+            self._services.selection.select_point(row.class_name, element.deciding_point)
         else:
-            self._document.selecting.select_class(row.class_name)
+            self._services.selection.select_class(row.class_name)
         target = self._target(row.class_name, element)
         if target is not None:
-            self._document.store.events.flyTo.emit(*target)
+            self._services.store.events.flyTo.emit(*target)
 
     def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
         """Return where the verdict is decided, picture px: a point, or the middle of a
         projection."""
-        size = self._document.state.picture_size
-        measurement = self._document.judge.measurement
+        size = self._services.state.picture_size
+        measurement = self._services.scorer.measurement
         if size is None or measurement is None:
             return None
-        polyline = self._document.state.shown_annotation.get(class_name)
+        polyline = self._services.state.shown_annotation.get(class_name)
         if polyline is not None and polyline.points:
             x, y = points_px(polyline, size)[element.deciding_point or 0]
             return float(x), float(y)

@@ -33,7 +33,7 @@ from procc_annotator.gui.state.background import (
 )
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.overlay_lines import ShownEllipse
 
@@ -47,7 +47,11 @@ class LandmarkEllipses(ComputedValue[Ellipses]):
     by the fit."""
 
     def __init__(
-        self, store: Store, live_fit: LiveFit, judge: Judge, here: Callable[[], FileAndInstant]
+        self,
+        store: Store,
+        live_fit: LiveFit,
+        judge: FrameScorer,
+        here: Callable[[], FileAndInstant],
     ) -> None:
         super().__init__(self._made_of, _project, store, background=False)
         self._store, self._live_fit, self._judge = store, live_fit, judge

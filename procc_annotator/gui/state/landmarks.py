@@ -51,8 +51,8 @@ from procc_annotator.gui.state.landmark_tools import (
 )
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.evaluation_settings import Terms
-from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.overlay_lines import ShownEllipse
 from procc_annotator.translation import tr
@@ -75,7 +75,9 @@ class Landmarks(QObject):
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
-    def __init__(self, store: Store, judge: Judge, live_fit: LiveFit, terms: Terms) -> None:
+    def __init__(
+        self, store: Store, judge: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
+    ) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
         self.file, self.groups = LandmarkFile(), ViewGroups()

@@ -28,11 +28,11 @@ from procc_annotator.gui.state.map_shapes import (
     shapes_in_picture,
     shapes_on_field,
 )
-from procc_annotator.gui.state.prediction.camera_choice import Foresight
+from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.camera_view import UNCERTAINTY, VisibleField, visible_field
 from procc_annotator.metrics.error_maps import (
@@ -79,7 +79,7 @@ class Compared:
         return None if metres is None or pixels is None else (metres, pixels)
 
 
-class DisagreementWatch(ComputedValue[Compared]):
+class DisagreementMap(ComputedValue[Compared]):
     """The disagreement in the frame on screen, once a person wants to see it."""
 
     def __init__(self, store: Store, source_frames: SourceFrames) -> None:
@@ -167,7 +167,7 @@ def compare_cameras(
 _KEPT = 8
 
 
-class MapSight(QObject):
+class VisibleFieldRegion(QObject):
     """Follows the camera that ghosts go by, else the one that is judged.
 
     While the next one is worked out the sight before stays, so that the map does not flicker with
@@ -177,7 +177,7 @@ class MapSight(QObject):
 
     changed = Signal()
 
-    def __init__(self, store: Store, foresight: Foresight, judge: Judge) -> None:
+    def __init__(self, store: Store, foresight: PredictionSource, judge: FrameScorer) -> None:
         super().__init__(store)
         self._store, self._foresight, self._judge = store, foresight, judge
         self._wanted = True
@@ -270,7 +270,7 @@ def _look_at(*inputs: object) -> VisibleField | None:
 
 
 @dataclass(frozen=True, eq=False)
-class KnownGround:
+class GroundAccuracy:
     """The uncertainty of ground points by one fit.
 
     Attributes:
@@ -300,7 +300,7 @@ class KnownGround:
         return bilinear_value(known.sd_m, known.xs_m, known.ys_m, ground_x, ground_y)
 
 
-def know_ground(fit: FitResult, field: Field) -> KnownGround:
+def know_ground(fit: FitResult, field: Field) -> GroundAccuracy:
     """The map of a fit with its shapes; safe from any thread.
 
     Raises:
@@ -311,14 +311,14 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
     x, y = np.meshgrid(values.xs_m, values.ys_m)
     in_sight = filled_contours(values.distance_to_border_px, x, y, (0.0, math.inf))[0]
     px = values.points_px
-    return KnownGround(
+    return GroundAccuracy(
         values,
         map_shapes(UNCERTAINTY, values.sd_m, px[..., 0], px[..., 1]),
         map_shapes(UNCERTAINTY, values.sd_m, x, y, in_sight),
     )
 
 
-class UncertaintyWatch(ComputedValue[KnownGround]):
+class UncertaintyMap(ComputedValue[GroundAccuracy]):
     """The map of the live fit, once a person wants to see it."""
 
     def __init__(
@@ -326,7 +326,7 @@ class UncertaintyWatch(ComputedValue[KnownGround]):
         store: Store,
         live_fit: LiveFit,
         blind_lock: BlindLock,
-        disagreement: DisagreementWatch,
+        disagreement: DisagreementMap,
     ) -> None:
         super().__init__(
             self._made_of,
@@ -380,10 +380,10 @@ class UncertaintyWatch(ComputedValue[KnownGround]):
             self.set_enabled(False)
 
 
-class PaintedWidth(ComputedValue[ProjectedField]):
+class LineWidths(ComputedValue[ProjectedField]):
     """The borders of painted lines, once a person wants to see them."""
 
-    def __init__(self, store: Store, judge: Judge) -> None:
+    def __init__(self, store: Store, judge: FrameScorer) -> None:
         super().__init__(self._made_of, _project, store, enabled=False)
         self._store, self._judge = store, judge
         self.failed.connect(self._say)

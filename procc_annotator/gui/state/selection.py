@@ -12,7 +12,7 @@ from procc_annotator.gui.state.state import ChosenElement, Mode, Option
 from procc_annotator.gui.state.store import Store
 
 
-class Selecting:
+class SelectionCommands:
     """Chooses elements and points."""
 
     def __init__(self, store: Store) -> None:

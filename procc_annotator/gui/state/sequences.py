@@ -93,7 +93,7 @@ def _read_all(workspace: Workspace, *, go_on: Callable[[], None]) -> frozenset[i
     return frozenset(found)
 
 
-class SequenceWatch(ComputedValue[FrameSequence]):
+class OpenSequence(ComputedValue[FrameSequence]):
     """The video or the consecutive pictures that the dataset's frames are of; None for others."""
 
     def __init__(self, store: Store) -> None:

@@ -56,7 +56,7 @@ class ChosenElement:
 
 
 @dataclass(frozen=True, slots=True)
-class HandOptions:
+class EditOptions:
     """Options of drawing and editing."""
 
     snapping: bool = True
@@ -117,7 +117,7 @@ class State:
     selection: ChosenElement = ChosenElement()
     hovered_class: str | None = None
     mode: Mode = "draw"
-    options: HandOptions = HandOptions()
+    options: EditOptions = EditOptions()
     sources: tuple[CameraSource, ...] = ()
     looks: tuple[SourceLook, ...] = ()
     active: CameraSource | None = None
@@ -262,7 +262,7 @@ _VALUES = (
     Enum,
     Path,
     ChosenElement,
-    HandOptions,
+    EditOptions,
     SourceLook,
     Notice,
     LockHolder,

@@ -16,13 +16,13 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.elements.element_edits import ElementEdits
-from procc_annotator.gui.commands.elements.ghosts import GhostTasks
+from procc_annotator.gui.commands.elements.ghosts import GhostCommands
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.panels.element_states import class_swatch, class_title
 from procc_annotator.gui.panels.findings.finding_rows import reasons_of
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, tr_count, word
 
@@ -32,9 +32,9 @@ _REACH = 32.0  # screen px: a sign stands beside its point, on whichever side th
 class FindingTips(QObject):
     """Answers when the canvas is asked for a tip."""
 
-    def __init__(self, document: Document, canvas: Canvas) -> None:
+    def __init__(self, services: Services, canvas: Canvas) -> None:
         super().__init__(canvas)
-        self._document, self._canvas = document, canvas
+        self._services, self._canvas = services, canvas
         canvas.tipWanted.connect(self._tell)
 
     def _tell(self, event: QHelpEvent) -> None:
@@ -45,11 +45,11 @@ class FindingTips(QObject):
         """Return what was found at a place of the viewport; empty where no sign is."""
         if self._canvas.drawing.hidden:
             return ""
-        near = [f for f in self._document.label_check.shown if self._stands_at(f, cursor)]
+        near = [f for f in self._services.label_check.shown if self._stands_at(f, cursor)]
         return reasons_of(near)
 
     def _stands_at(self, found: StoredFinding, cursor: QPointF) -> bool:
-        size, annotation = self._document.state.picture_size, self._document.state.annotation
+        size, annotation = self._services.state.picture_size, self._services.state.annotation
         for name, row in found.places:
             drawn = annotation.get(name)
             if drawn is None or size is None or row >= len(drawn.points):
@@ -70,14 +70,14 @@ _DRAWING = ("finish", "finish_stay", "back", "cancel")
 
 def canvas_menu(
     parent: QWidget,
-    document: Document,
+    services: Services,
     actions: Actions,
     element_edits: ElementEdits,
     label_check: LabelCheckCommands | None = None,
     *,
     drawing: bool = False,
     on_ground: bool = False,
-    ghost_tasks: GhostTasks | None = None,
+    ghost_tasks: GhostCommands | None = None,
     ghost: str | None = None,
 ) -> QMenu:
     """The menu for what is selected, for the polyline that is being drawn, or for the frame
@@ -89,61 +89,61 @@ def canvas_menu(
         for each in names:
             menu.addAction(actions[each])
 
-    name, annotation = document.state.selected_class, document.state.annotation
+    name, annotation = services.state.selected_class, services.state.annotation
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
     if drawing:
-        menu.addSection(tr("Drawing {title}", title=class_title(document.state.field, name or "")))
+        menu.addSection(tr("Drawing {title}", title=class_title(services.state.field, name or "")))
         add(*_DRAWING)
     elif on_ground or name is None or polyline is None or not polyline.points:
         if ghost_tasks is not None and ghost is not None:
-            _add_ghost(menu, document, ghost_tasks, ghost)
+            _add_ghost(menu, services, ghost_tasks, ghost)
         add(*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ()))
         if ghost_tasks is not None:
-            _add_not_visible(menu, document, ghost_tasks)
+            _add_not_visible(menu, services, ghost_tasks)
     else:
-        title = class_title(document.state.field, name)
+        title = class_title(services.state.field, name)
         if waiting is not None:
             menu.addSection(tr("{title}, unconfirmed", title=title))
             add("confirm", *_UNCONFIRMED)
-        if (point := document.state.selection.point) is not None:
-            count = len(document.state.selection.points)
+        if (point := services.state.selection.point) is not None:
+            count = len(services.state.selection.points)
             this = tr("Point {number} of {title}", number=point[1] + 1, title=title)
             menu.addSection(tr_count(count, "{n} point", "{n} points") if count > 1 else this)
             add(*_POINT)
             if count < 2 and 0 < point[1] < len(polyline.points) - 1:
-                _add_split(menu, document, element_edits, name)
-        _add_remedies(menu, document, label_check, name)
+                _add_split(menu, services, element_edits, name)
+        _add_remedies(menu, services, label_check, name)
         menu.addSection(title)
-        add_class_menus(menu, document, element_edits)
+        add_class_menus(menu, services, element_edits)
         add(*_WHOLE)
     return menu
 
 
-def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, name: str) -> None:
+def _add_split(menu: QMenu, services: Services, element_edits: ElementEdits, name: str) -> None:
     free = [
         e
-        for e in touching_elements(document.state.field, name)
-        if document.state.annotation.get(e) is None
+        for e in touching_elements(services.state.field, name)
+        if services.state.annotation.get(e) is None
     ]
     menu.addMenu(
         class_menu(
             menu,
-            document.state.field,
+            services.state.field,
             tr("Split here: the rest becomes"),
             first=free,
-            disabled=document.state.annotation.annotated,
-            keymap=document.state.keymap,
+            disabled=services.state.annotation.annotated,
+            keymap=services.state.keymap,
             chosen=element_edits.split,
         )
     )
 
 
 def _add_remedies(
-    menu: QMenu, document: Document, label_check: LabelCheckCommands | None, name: str
+    menu: QMenu, services: Services, label_check: LabelCheckCommands | None, name: str
 ) -> None:
     """Add remedies for the findings of an element, the surest first."""
-    concerned = [f for f in document.label_check.shown if name in f.finding.elements]
+    concerned = [f for f in services.label_check.shown if name in f.finding.elements]
     if label_check is None:
         return
     for found in concerned:
@@ -157,39 +157,39 @@ def _add_remedies(
             action.setToolTip(reason)
             action.triggered.connect(partial(_apply, label_check, found, remedy))
         action = menu.addAction(tr("Ignore this finding"))
-        action.triggered.connect(partial(_ignore, label_check, document, found))
+        action.triggered.connect(partial(_ignore, label_check, services, found))
 
 
 def _apply(label_check: LabelCheckCommands, found: StoredFinding, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: StoredFinding) -> None:
-    if document.state.frame is not None:
-        label_check.ignore(document.state.frame.name, found)
+def _ignore(label_check: LabelCheckCommands, services: Services, found: StoredFinding) -> None:
+    if services.state.frame is not None:
+        label_check.ignore(services.state.frame.name, found)
 
 
-def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
-    menu.addSection(tr("Ghost of {title}", title=class_title(document.state.field, name)))
+def _add_ghost(menu: QMenu, services: Services, tasks: GhostCommands, name: str) -> None:
+    menu.addSection(tr("Ghost of {title}", title=class_title(services.state.field, name)))
     menu.addAction(tr("Accept"), lambda: tasks.accept_named(name))
     menu.addAction(tr("Look closely"), lambda: tasks.look_at(name))
     menu.addAction(tr("Not visible here"), lambda: tasks.set_not_visible(name, True))
     menu.addSection(tr("Frame"))
 
 
-def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None:
+def _add_not_visible(menu: QMenu, services: Services, tasks: GhostCommands) -> None:
     """The elements said to be not visible: choosing one takes that back."""
     names = tasks.not_visible()
     if names:
         hidden = menu.addMenu(tr("Not visible here: take back"))
         for name in names:
             take_back = partial(tasks.set_not_visible, name, False)
-            hidden.addAction(class_title(document.state.field, name)).triggered.connect(take_back)
+            hidden.addAction(class_title(services.state.field, name)).triggered.connect(take_back)
 
 
-def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:
+def add_class_menus(menu: QMenu, services: Services, element_edits: ElementEdits) -> None:
     """Submenus that give the selected element another class, or join it to another element."""
-    field, name = document.state.field, document.state.selected_class or ""
+    field, name = services.state.field, services.state.selected_class or ""
     likely = list(element_edits.symmetric_classes())
     met = touching_elements(field, name)  # worked out once: it takes time on large fields
     likely += [c for c in met if c not in likely]
@@ -200,11 +200,11 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
             tr("Change class to (swaps with an annotated one)"),
             first=likely[:4],
             disabled=(name,),
-            keymap=document.state.keymap,
+            keymap=services.state.keymap,
             chosen=element_edits.change_class,
         )
     )
-    others = [c for c in document.state.annotation.annotated if c != name]
+    others = [c for c in services.state.annotation.annotated if c != name]
     if others:
         every = [e.name for e in field.elements] + list(field.classes_without_geometry)
         menu.addMenu(
@@ -214,7 +214,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
                 tr("Merge into"),
                 first=[c for c in others if c in met],
                 disabled=[c for c in every if c not in others],
-                keymap=document.state.keymap,
+                keymap=services.state.keymap,
                 chosen=element_edits.merge_into,
             )
         )

@@ -25,8 +25,8 @@ from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
 from procc_annotator.gui.settings import CALLED, OFFERED, RECENT, SWITCHES, Settings
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.prediction.live_fit import MODELS
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.gui.window.menus import Actions, in_menu
 from procc_annotator.gui.window.welcome import described
@@ -80,14 +80,14 @@ class PaletteEntries:
 
     def __init__(
         self,
-        document: Document,
+        services: Services,
         actions: Actions,
         settings: Settings,
         show_panel: Callable[[str], object],
         open_path: Callable[[Path], object],
         show_setting: Callable[[str], object],
     ) -> None:
-        self._document = document
+        self._services = services
         self._actions = actions
         self._settings = settings
         self._show_panel = show_panel
@@ -142,31 +142,31 @@ class PaletteEntries:
             yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
 
     def _of_elements(self) -> Iterator[Entry]:
-        document = self._document
-        field = document.state.field
+        services = self._services
+        field = services.state.field
         for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
             yield Entry(
                 "",
                 _ELEMENT,
                 tr(field.title_of(name)),
                 name,
-                key_text(field, name, document.state.keymap),
-                partial(document.selecting.select_class, name, continues=True),
-                document.state.selected_class == name,
+                key_text(field, name, services.state.keymap),
+                partial(services.selection.select_class, name, continues=True),
+                services.state.selected_class == name,
                 english=field.title_of(name),
             )
 
     def _of_cameras(self) -> Iterator[Entry]:
-        document = self._document
-        for index, source in enumerate(document.state.sources):
+        services = self._services
+        for index, source in enumerate(services.state.sources):
             yield Entry(
                 "",
                 _CAMERAS,
                 tr("Judge {source}", source=source.name),
                 tr("Judge with this source"),
                 "",
-                partial(document.camera_sources.set_active_camera, index),
-                source is document.state.active,
+                partial(services.camera_sources.set_active_camera, index),
+                source is services.state.active,
                 english=f"Judge {source.name}",  # not shown
             )
         for model in MODELS:
@@ -176,8 +176,8 @@ class PaletteEntries:
                 tr("Live fit: model {model}", model=model),
                 tr("Fit this model to the clicks; auto takes the simplest that they support"),
                 "",
-                partial(document.live_fit.set_model, model),
-                document.live_fit.model == model,
+                partial(services.live_fit.set_model, model),
+                services.live_fit.model == model,
                 english=f"Live fit: model {model}",  # not shown
             )
 
@@ -208,7 +208,7 @@ class PaletteEntries:
 
     def _of_numbers(self, text: str) -> Iterator[Entry]:
         """Return what a number alone may mean: a threshold, a frame."""
-        document = self._document
+        services = self._services
         try:
             number = float(text.replace(",", "."))
         except ValueError:
@@ -220,10 +220,10 @@ class PaletteEntries:
                 tr("Threshold {px:g} px", px=number),
                 tr("Judge elements by this tau"),
                 "",
-                lambda: document.terms.set_tau(number),
-                document.state.tau == number,
+                lambda: services.evaluation.set_tau(number),
+                services.state.tau == number,
             )
-        count = len(document.state.workspace.frames) if document.state.workspace is not None else 0
+        count = len(services.state.workspace.frames) if services.state.workspace is not None else 0
         if number.is_integer() and 1 <= number <= count:
             index = int(number) - 1
             title = tr("Frame {number} of {count}", number=int(number), count=count)
@@ -231,7 +231,7 @@ class PaletteEntries:
 
     def _of_frames(self, text: str) -> Iterator[Entry]:
         """Frames whose names hold every word."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         wanted = text.casefold().split()
         for index, frame in enumerate(workspace.frames if workspace is not None else ()):
             name = frame.name.casefold()
@@ -239,17 +239,17 @@ class PaletteEntries:
                 yield self._frame(index, frame.name)
 
     def _frame(self, index: int, title: str) -> Entry:
-        document = self._document
-        assert document.state.workspace is not None
-        name = document.state.workspace.frames[index].name
+        services = self._services
+        assert services.state.workspace is not None
+        name = services.state.workspace.frames[index].name
         return Entry(
             "",
             _FRAME,
             title,
             name if name != title else tr("Go to this frame"),
             "",
-            lambda: document.walk.go_to(index),
-            index == document.state.frame_index,
+            lambda: services.navigator.go_to(index),
+            index == services.state.frame_index,
         )
 
 

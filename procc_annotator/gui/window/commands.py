@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QDialog, QMessageBox, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import AUTHOR, KEYS
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Mode
 from procc_annotator.gui.window.guide import Guide, guide_folder
 from procc_annotator.gui.window.key_dialogs import KeymapDialog, KeySheet
@@ -23,61 +23,61 @@ class Commands:
     """Slots of the action table, by name."""
 
     def __init__(
-        self, document: Document, canvas: Canvas, options: BoundSettings, window: QWidget
+        self, services: Services, canvas: Canvas, options: BoundSettings, window: QWidget
     ) -> None:
-        self._document = document
+        self._services = services
         self._canvas = canvas
         self._options = options
         self._dialog: SettingsDialog | None = None
         self._window = window
         self._sheet: KeySheet | None = None
         self._guide: Guide | None = None
-        document.store.watch(lambda s: (s.field, s.keymap), self._fill_sheet)
+        services.store.watch(lambda s: (s.field, s.keymap), self._fill_sheet)
 
     # --- stepping and choosing ------------------------------------------------------------
 
     def take_tool(self, mode: Mode) -> None:
         """Draw or edit from now on, without the tool that moves the picture."""
         self._canvas.set_pan(False)
-        self._document.selecting.set_mode(mode)
+        self._services.selection.set_mode(mode)
 
     def switch_mode(self) -> None:
         """From drawing to editing and back."""
-        self.take_tool("edit" if self._document.state.mode == "draw" else "draw")
+        self.take_tool("edit" if self._services.state.mode == "draw" else "draw")
 
     def step_element(self, step: int) -> None:
         """Choose the next class of the field (1) or the one before (-1)."""
-        field = self._document.state.field
+        field = self._services.state.field
         names = [*(e.name for e in field.elements), *field.classes_without_geometry]
-        current = self._document.state.selected_class
+        current = self._services.state.selected_class
         if current in names:
             index = (names.index(current) + step) % len(names)
         else:
             index = 0 if step > 0 else -1
-        self._document.selecting.select_class(names[index], continues=True)
+        self._services.selection.select_class(names[index], continues=True)
 
     def step_camera(self, step: int) -> None:
         """Judge with the next source (1) or the one before (-1)."""
-        document = self._document
-        if not document.state.sources:
-            document.say(tr("no cameras are loaded (Ctrl+L)"))
+        services = self._services
+        if not services.state.sources:
+            services.say(tr("no cameras are loaded (Ctrl+L)"))
             return
-        active = document.state.active
+        active = services.state.active
         if active is None:
-            document.camera_sources.set_active_camera(
-                0 if step > 0 else len(document.state.sources) - 1
+            services.camera_sources.set_active_camera(
+                0 if step > 0 else len(services.state.sources) - 1
             )
             return
-        index = document.state.sources.index(active) + step
-        document.camera_sources.set_active_camera(index % len(document.state.sources))
+        index = services.state.sources.index(active) + step
+        services.camera_sources.set_active_camera(index % len(services.state.sources))
 
     def step_tau(self, steps: int) -> None:
         """Allow larger (1) or smaller (-1) distances."""
-        self._document.terms.set_tau(self._document.state.tau + steps * _TAU_STEP)
+        self._services.evaluation.set_tau(self._services.state.tau + steps * _TAU_STEP)
 
     def set_off_plane(self, choice: str) -> None:
         """Choose how elements count that a homography cannot project."""
-        self._document.terms.set_protocol(off_plane=choice)
+        self._services.evaluation.set_protocol(off_plane=choice)
 
     # --- comparing sources ----------------------------------------------------------------
 
@@ -89,13 +89,13 @@ class Commands:
 
     def set_disagreement(self, shown: bool) -> None:
         """Show where the active and the compared source disagree."""
-        self._document.disagreement.set_enabled(shown)
+        self._services.disagreement.set_enabled(shown)
         if shown:
             self._say_if_alone(tr("load a second set of cameras to compare (Ctrl+L)"))
 
     def _say_if_alone(self, text: str) -> None:
-        if self._document.state.compared is None:
-            self._document.say(text)
+        if self._services.state.compared is None:
+            self._services.say(text)
 
     # --- the program ----------------------------------------------------------------------
 
@@ -111,7 +111,7 @@ class Commands:
         folder = guide_folder()
         if folder is None:
             text = tr("this installation came without its user guide")
-            self._document.say(text, "warning")
+            self._services.say(text, "warning")
             return
         if self._guide is None:
             self._guide = Guide(folder, self._window)
@@ -127,10 +127,10 @@ class Commands:
         """Open the sheet of keys."""
         if self._sheet is None:
             self._sheet = KeySheet(
-                self._document.state.field, self._document.state.keymap, self._window
+                self._services.state.field, self._services.state.keymap, self._window
             )
             self._sheet.actionCalled.connect(self._call)
-            self._sheet.elementCalled.connect(self._document.selecting.select_class)
+            self._sheet.elementCalled.connect(self._services.selection.select_class)
         self._fill_sheet()
         self._sheet.show()
         self._sheet.raise_()
@@ -138,12 +138,12 @@ class Commands:
 
     def _fill_sheet(self) -> None:
         if self._sheet is not None:
-            self._sheet.show_field(self._document.state.field, self._document.state.keymap)
+            self._sheet.show_field(self._services.state.field, self._services.state.keymap)
 
     def change_keys(self) -> None:
         """Ask for other keys, and have them call what they stand for from now on."""
-        document = self._document
-        dialog = KeymapDialog(document.state.field, document.state.keymap, self._window)
+        services = self._services
+        dialog = KeymapDialog(services.state.field, services.state.keymap, self._window)
         if dialog.exec() == QDialog.DialogCode.Accepted:
             self._options.change(KEYS, dialog.keymap)
         dialog.deleteLater()

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.translation import tr
 
@@ -133,43 +133,43 @@ def _is_key(letter: str) -> bool:
 
 
 class ActionStates(QObject):
-    """Keeps the ticks of the menus in step with the document."""
+    """Keeps the ticks of the menus in step with the state."""
 
-    def __init__(self, document: Document, actions: Actions, parent: QObject) -> None:
+    def __init__(self, services: Services, actions: Actions, parent: QObject) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._actions = actions
-        document.store.watch(lambda s: (s.workspace, select.mode(s)), self._show_mode)
-        document.blind_lock.refused.connect(self._show_mode)
-        document.store.watch(select.annotation, self._show_steps, When.AFTER_PAINT)
-        document.store.watch(lambda s: s.keymap, self._take_keys)
-        document.live_fit.changed.connect(self._show_live_fit)
-        document.disagreement.changed.connect(self._show_maps)
-        document.uncertainty.changed.connect(self._show_maps)
+        services.store.watch(lambda s: (s.workspace, select.mode(s)), self._show_mode)
+        services.blind_lock.refused.connect(self._show_mode)
+        services.store.watch(select.annotation, self._show_steps, When.AFTER_PAINT)
+        services.store.watch(lambda s: s.keymap, self._take_keys)
+        services.live_fit.changed.connect(self._show_live_fit)
+        services.disagreement.changed.connect(self._show_maps)
+        services.uncertainty.changed.connect(self._show_maps)
 
     def _show_mode(self) -> None:
-        document, actions = self._document, self._actions
-        actions.set_checked("draw_mode", document.state.mode == "draw")
-        actions.set_checked("edit_mode", document.state.mode == "edit")
-        actions.set_checked("blind", document.state.blind)
-        for name, on in asdict(document.state.options).items():
+        services, actions = self._services, self._actions
+        actions.set_checked("draw_mode", services.state.mode == "draw")
+        actions.set_checked("edit_mode", services.state.mode == "edit")
+        actions.set_checked("blind", services.state.blind)
+        for name, on in asdict(services.state.options).items():
             actions.set_checked(name, on)
-        reason = document.blind_lock.reason
+        reason = services.blind_lock.reason
         actions.set_checked("lock_blind", bool(reason))
         actions.set_reason("blind", reason)
-        actions.set_reason("live_fit", document.blind_lock.no_fit)
+        actions.set_reason("live_fit", services.blind_lock.no_fit)
 
     def _take_keys(self) -> None:
-        self._actions.set_keys(self._document.state.keymap)
+        self._actions.set_keys(self._services.state.keymap)
 
     def _show_steps(self) -> None:
-        undone, redone = self._document.editing.steps
+        undone, redone = self._services.editing.steps
         self._actions.set_step("undo", undone and tr(undone))
         self._actions.set_step("redo", redone and tr(redone))
 
     def _show_live_fit(self) -> None:
-        self._actions.set_checked("live_fit", self._document.live_fit.wanted)
+        self._actions.set_checked("live_fit", self._services.live_fit.wanted)
 
     def _show_maps(self) -> None:
-        self._actions.set_checked("disagreement", self._document.disagreement.enabled)
-        self._actions.set_checked("uncertainty", self._document.uncertainty.enabled)
+        self._actions.set_checked("disagreement", self._services.disagreement.enabled)
+        self._actions.set_checked("uncertainty", self._services.uncertainty.enabled)

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import QMainWindow
 from procc_annotator import error_log
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.messages import UNSAVED, Message
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.translation import tr
 
@@ -31,62 +31,62 @@ class MessageRouter(QObject):
 
     def __init__(
         self,
-        document: Document,
+        services: Services,
         bars: tuple[MessageBar, FrameBar, ConflictBar],
         status: StatusLine,
         window: QMainWindow,
     ) -> None:
         super().__init__(window)
-        self._document, self._status, self._window = document, status, window
+        self._services, self._status, self._window = services, status, window
         self._messages, self._frame_bar, self._conflicts = bars
-        document.store.watch(select.dataset, self._messages.hide)
-        document.store.watch(select.frame, self._tell_frame)
-        document.store.watch(select.annotation, self._tell_broken)
-        document.store.watch(select.unsaved, self._tell_saved)
-        document.store.watch(select.frame, self._tell_saved)
-        document.store.watch(select.mode, self._tell_broken)
-        document.store.watch(select.frame, status.forget)
-        document.store.watch(select.blind, self._hide_told)
-        document.store.watch(lambda s: s.notices, self._keep_notices)
-        document.store.events.message.connect(self._tell)
-        self._conflicts.reload_chosen.connect(document.editing.reload_frame)
-        self._conflicts.overwrite_chosen.connect(document.editing.overwrite_frame)
+        services.store.watch(select.dataset, self._messages.hide)
+        services.store.watch(select.frame, self._tell_frame)
+        services.store.watch(select.annotation, self._tell_broken)
+        services.store.watch(select.unsaved, self._tell_saved)
+        services.store.watch(select.frame, self._tell_saved)
+        services.store.watch(select.mode, self._tell_broken)
+        services.store.watch(select.frame, status.forget)
+        services.store.watch(select.blind, self._hide_told)
+        services.store.watch(lambda s: s.notices, self._keep_notices)
+        services.store.events.message.connect(self._tell)
+        self._conflicts.reload_chosen.connect(services.editing.reload_frame)
+        self._conflicts.overwrite_chosen.connect(services.editing.overwrite_frame)
         self._tell_frame()
         self._tell_saved()
 
     def _tell_frame(self) -> None:
-        if not self._document.saver.problems:
+        if not self._services.saver.problems:
             self._messages.grow_old()  # it was said of the frame before
         self._tell_broken()
 
     def _tell_broken(self) -> None:
-        self._frame_bar.tell(self._document.state.why_not_editable)
+        self._frame_bar.tell(self._services.state.why_not_editable)
 
     def _tell_saved(self) -> None:
-        saver, frame = self._document.saver, self._document.state.frame
-        conflict = saver.conflict(self._document.state.frame_index)
+        saver, frame = self._services.saver, self._services.state.frame
+        conflict = saver.conflict(self._services.state.frame_index)
         self._conflicts.tell(str(conflict) if conflict is not None else "")
         self._window.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
         self._window.setWindowModified(bool(saver.problems))
 
     def _hide_told(self) -> None:
-        if self._document.state.blind:  # it may say how a camera does
+        if self._services.state.blind:  # it may say how a camera does
             self._status.forget(just_told=True)
 
     def _keep_notices(self) -> None:
-        self._messages.keep(self._document.state.notices)
+        self._messages.keep(self._services.state.notices)
 
     def _tell(self, message: Message) -> None:
-        document = self._document
-        conflict = document.saver.conflict(document.state.frame_index)
+        services = self._services
+        conflict = services.saver.conflict(services.state.frame_index)
         if message.level == "info":
             self._status.tell(message.text)
-        elif message.text == document.state.why_broken:
+        elif message.text == services.state.why_broken:
             self._status.tell(tr("not editable: the bar over the picture says why"))
         elif message.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).
-            unsaved = [notice for notice in document.state.notices if notice.key == UNSAVED]
+            unsaved = [notice for notice in services.state.notices if notice.key == UNSAVED]
             self._messages.tell(message, above=unsaved)
         elif conflict is None or message.text != str(conflict):  # that one has a bar of its own
             self._messages.tell(message)
@@ -97,9 +97,9 @@ class ErrorReports(QObject):
 
     _happened = Signal(str, str)  # perhaps in another thread
 
-    def __init__(self, document: Document, parent: QObject) -> None:
+    def __init__(self, services: Services, parent: QObject) -> None:
         super().__init__(parent)
-        self._document, self._details = document, ""
+        self._services, self._details = services, ""
         self._happened.connect(self._show, Qt.ConnectionType.QueuedConnection)
 
     def install(self) -> None:
@@ -115,13 +115,13 @@ class ErrorReports(QObject):
             text = tr("the details are copied; they are in {path}, too", path=path)
         else:
             text = tr("there was no unexpected error; they are logged in {path}", path=path)
-        self._document.say(text)
+        self._services.say(text)
 
     def _show(self, line: str, details: str) -> None:
         self._details = details
         text = tr("unexpected error ({what}); saving goes on, the details are in {path}",
                   what=line, path=error_log.log_path())  # fmt: skip
-        self._document.say(text, "error", remedy="copy_error")
+        self._services.say(text, "error", remedy="copy_error")
 
 
 def _log_qt(kind: QtMsgType, _: QMessageLogContext, text: str) -> None:

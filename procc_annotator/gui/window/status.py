@@ -1,4 +1,4 @@
-"""The status bar and the reports that keep it in step with the document and the cursor."""
+"""The status bar and the reports that keep it in step with the state and the cursor."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWid
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.interaction.hints import SEPARATOR
 from procc_annotator.translation import tr, word
@@ -301,29 +301,29 @@ class StatusReport(QObject):
     """Hint, cursor position, work under way."""
 
     def __init__(
-        self, document: Document, canvas: Canvas, status: StatusLine, parent: QObject
+        self, services: Services, canvas: Canvas, status: StatusLine, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._canvas = canvas
         self._status = status
         canvas.cursorMoved.connect(self.show_cursor)
         canvas.hintChanged.connect(status.set_hint)
-        store = document.store
+        store = services.store
         store.watch(lambda s: s.field, self._show_titles)
         store.watch(
             lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
             self._look_again,
         )
-        document.disagreement.changed.connect(self._look_again)
-        document.uncertainty.changed.connect(self._look_again)
-        document.set_scores.progressed.connect(self.show_scoring)
+        services.disagreement.changed.connect(self._look_again)
+        services.uncertainty.changed.connect(self._look_again)
+        services.dataset_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self._show_titles()
 
     def _show_titles(self) -> None:
         """Pass on the titles of elements, which hints and messages contain."""
-        self._status.hint.set_titles(tr(e.title) for e in self._document.state.field.elements)
+        self._status.hint.set_titles(tr(e.title) for e in self._services.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """Show the progress of scoring the set; nothing when it is complete."""
@@ -347,23 +347,23 @@ class StatusReport(QObject):
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)
         self._status.set_cursor(px, None if at is None else self._metres(at))
-        found = self._document.disagreement.value
+        found = self._services.disagreement.value
         apart = found.at(*at) if found is not None and at is not None else None
-        self._status.set_disagreement(self._document.disagreement.enabled, apart)
-        known = self._document.uncertainty.value
+        self._status.set_disagreement(self._services.disagreement.enabled, apart)
+        known = self._services.uncertainty.value
         sd = known.at(*px) if known is not None and px is not None else None
-        self._status.set_uncertainty(self._document.uncertainty.enabled, sd)
+        self._status.set_uncertainty(self._services.uncertainty.enabled, sd)
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""
-        size, target = self._document.state.picture_size, self._document.state.setup.size
+        size, target = self._services.state.picture_size, self._services.state.setup.size
         if size is None:
             return None
         # Both grids share the centres of their corners.
         return px[0] * (target[0] - 1) / (size[0] - 1), px[1] * (target[1] - 1) / (size[1] - 1)
 
     def _metres(self, at: tuple[float, float]) -> tuple[float, float] | None:
-        camera = self._document.judge.camera
+        camera = self._services.scorer.camera
         if camera is None:
             return None
         ground = ground_from_px(camera, np.array([at]))

@@ -24,8 +24,8 @@ from PySide6.QtWidgets import (
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.panels.widgets import RangeBox
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
@@ -38,9 +38,9 @@ from procc_annotator.translation import tr, tr_count, word
 class TauControl(QWidget):
     """The threshold as a slider and a number; both change it live."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
-        self._document = document
+        self._services = services
         tip = tr("Threshold tau: an element passes when all its points are nearer (+ and -)")
         label = QLabel("τ")
         self.slider = QSlider(Qt.Orientation.Horizontal)
@@ -65,14 +65,14 @@ class TauControl(QWidget):
             widget.setAccessibleName(tr("Threshold tau"))
             layout.addWidget(widget)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
-        self.slider.valueChanged.connect(lambda tenths: document.terms.set_tau(tenths / 10))
-        self.spin.valueChanged.connect(document.terms.set_tau)
-        document.store.watch(lambda s: s.tau, self._show)
-        self._document = document
+        self.slider.valueChanged.connect(lambda tenths: services.evaluation.set_tau(tenths / 10))
+        self.spin.valueChanged.connect(services.evaluation.set_tau)
+        services.store.watch(lambda s: s.tau, self._show)
+        self._services = services
         self._show()
 
     def _show(self) -> None:
-        tau = self._document.state.tau
+        tau = self._services.state.tau
         with QSignalBlocker(self.slider), QSignalBlocker(self.spin):
             self.slider.setValue(round(tau * 10))
             self.spin.setValue(tau)
@@ -86,17 +86,17 @@ _JAC_TIP = word("Jaccard index of this frame at tau")
 class CameraBar(QWidget):
     """Is there only where a camera is loaded or judged."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
         self.setObjectName("cameraBar")
-        self._document = document
+        self._services = services
         self._listed: list[str] = []
-        self.tau = TauControl(document)
+        self.tau = TauControl(services)
         self.cameras = QComboBox()
         self.cameras.setObjectName("cameraCombo")
         self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.cameras.setToolTip(tr("The camera set that is judged (C switches)"))
-        self.cameras.activated.connect(lambda i: document.camera_sources.set_active_camera(i - 1))
+        self.cameras.activated.connect(lambda i: services.camera_sources.set_active_camera(i - 1))
         self.jac = SteadyLabel()
         self.jac.setTextFormat(Qt.TextFormat.RichText)
         self.jac.setObjectName("judgedJac")
@@ -113,7 +113,7 @@ class CameraBar(QWidget):
         for widget in (self.tau, self.cameras, self.jac):
             row.addWidget(widget)
         row.addWidget(self.terms, 1)
-        store = document.store
+        store = services.store
         store.watch(lambda s: (s.looks, s.active), self._show_cameras)
         store.watch(judged, self._show_score, When.AFTER_PAINT)
         store.watch(lambda s: s.projection_visible, self._show_score)  # hidden at once
@@ -121,21 +121,21 @@ class CameraBar(QWidget):
 
     def _show_cameras(self) -> None:
         """The loaded sets and the active one."""
-        document = self._document
-        names = [tr(_NO_CAMERA), *(s.name for s in [look.cameras for look in document.state.looks])]
+        services = self._services
+        names = [tr(_NO_CAMERA), *(s.name for s in [look.cameras for look in services.state.looks])]
         with QSignalBlocker(self.cameras):
             if names != self._listed:
                 self._fill_cameras(names)
-            active = document.state.active_cameras
+            active = services.state.active_cameras
             chosen = (
                 -1
                 if active is None
-                else [look.cameras for look in document.state.looks].index(active)
+                else [look.cameras for look in services.state.looks].index(active)
             )
             self.cameras.setCurrentIndex(chosen + 1)
-        self.cameras.setEnabled(bool([look.cameras for look in document.state.looks]))
-        loaded = any(s is not document.fit_source.source for s in document.state.sources)
-        self.setVisible(loaded or document.state.active is not None)
+        self.cameras.setEnabled(bool([look.cameras for look in services.state.looks]))
+        loaded = any(s is not services.fit_source.source for s in services.state.sources)
+        self.setVisible(loaded or services.state.active is not None)
         self._show_score()
 
     def _fill_cameras(self, names: list[str]) -> None:
@@ -149,27 +149,27 @@ class CameraBar(QWidget):
 
     def _show_score(self) -> None:
         """JaC, or why there is none."""
-        document = self._document
-        score = document.judge.score
-        if score is not None and (why := document.state.why_not_judged):
+        services = self._services
+        score = services.scorer.score
+        if score is not None and (why := services.state.why_not_judged):
             self.jac.setText(tr("<b>JaC –</b> {why}", why=escape(why)))
         elif score is not None:
-            own = document.state.active is document.fit_source.source
+            own = services.state.active is services.fit_source.source
             said = tr("<b>JaC {jac:.3f}</b> of the fit") if own else "<b>JaC {jac:.3f}</b>"
             self.jac.setText(said.format(jac=score.jac))
-        elif document.state.active_cameras is None:
+        elif services.state.active_cameras is None:
             self.jac.setText("")
-        elif not document.state.projection_visible:
+        elif not services.state.projection_visible:
             self.jac.setText(tr("<b>blind</b>: commit to see JaC"))
         else:
-            words = tr("camera unreadable") if document.judge.shown.error else tr("no camera here")
+            words = tr("camera unreadable") if services.scorer.shown.error else tr("no camera here")
             self.jac.setText(f"<b>{words}</b>")
-        hidden = not document.state.projection_visible
-        error = "" if hidden else document.judge.shown.error
+        hidden = not services.state.projection_visible
+        error = "" if hidden else services.scorer.shown.error
         self.jac.setToolTip(error or tr(_JAC_TIP))
-        camera = document.judge.camera
+        camera = services.scorer.camera
         ground_only = camera is not None and projects_only_ground(camera)
-        terms = document.state.setup.describe(ground_only=ground_only)
+        terms = services.state.setup.describe(ground_only=ground_only)
         self.terms.set_text(terms)
         self.terms.setToolTip(tr("What the score is computed with: {terms}", terms=terms))
 
@@ -180,17 +180,17 @@ _SAVED_PAD = 4
 class SaveState(QLabel):
     """Says so in a word or two; what is not saved stands out."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
         self.setObjectName("savedState")
         self.setFont(fixed_width(self.font()))
         self.setMargin(_SAVED_PAD)
         self.setBackgroundRole(QPalette.ColorRole.Window)  # not that of a tool bar
-        self._document, self._alarm = document, False
-        store = document.store
+        self._services, self._alarm = services, False
+        store = services.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
-        document.saver.begun.connect(self._show)
-        document.saver.settled.connect(self._show)
+        services.saver.begun.connect(self._show)
+        services.saver.settled.connect(self._show)
         self._show()
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
@@ -219,7 +219,7 @@ class SaveState(QLabel):
         return self.minimumSizeHint()
 
     def _show(self) -> None:
-        saver = self._document.saver
+        saver = self._services.saver
         problems = saver.problems
         if problems:
             tip = "\n".join(str(p) for p in problems.values())
@@ -229,7 +229,7 @@ class SaveState(QLabel):
             self.set_saved(tr("saving..."), alarm=False)
         elif saver.saved_at is not None:
             self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
-        elif self._document.state.frame is not None:
+        elif self._services.state.frame is not None:
             self.set_saved(tr("no changes"), alarm=False)
         else:
             self.set_saved("", alarm=False)
@@ -322,13 +322,13 @@ class WordsButton(QToolButton):
 
 
 class TopBar(QToolBar):
-    """Assembled from the table of actions and the document."""
+    """Assembled from the table of actions and the state."""
 
-    def __init__(self, document: Document, actions: Actions, fields: QMenu) -> None:
+    def __init__(self, services: Services, actions: Actions, fields: QMenu) -> None:
         """Show nothing yet.
 
         Args:
-            document: what is open.
+            services: what is open.
             actions: what the buttons do.
             fields: the menu in which a dataset's field is chosen.
         """
@@ -338,14 +338,14 @@ class TopBar(QToolBar):
         self.setFloatable(False)
         self.toggleViewAction().setEnabled(False)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        self._document = document
+        self._services = services
         self._make_labels()
         self.chip = WordsButton("field", Qt.TextElideMode.ElideMiddle, 18)
         self.chip.setObjectName("fieldChip")
         self.chip.setMenu(fields)
         self.chip.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.camera_bar = CameraBar(document)
-        self.saved = SaveState(document)
+        self.camera_bar = CameraBar(services)
+        self.saved = SaveState(services)
         self.search = self._make_search(actions["palette"])
         line = QWidget()
         row = QHBoxLayout(line)
@@ -365,10 +365,10 @@ class TopBar(QToolBar):
         row.addWidget(self.saved)
         row.addWidget(self.search)
         self.addWidget(IsolatedRow(line))
-        store = document.store
+        store = services.store
         store.watch(lambda s: (s.workspace, s.frame_index), self._show_frame)
         store.watch(lambda s: (s.workspace, s.field), self._show_dataset)
-        document.review.statusChanged.connect(self._show_status)
+        services.review.statusChanged.connect(self._show_status)
         self._show_frame()
         self._show_dataset()
 
@@ -398,22 +398,22 @@ class TopBar(QToolBar):
         return search
 
     def _show_status(self, _frame: str = "") -> None:
-        shown = self._document.state.frame
-        self.status.setText(tr(self._document.review.status(shown.name).value) if shown else "")
+        shown = self._services.state.frame
+        self.status.setText(tr(self._services.review.status(shown.name).value) if shown else "")
 
     def _show_frame(self) -> None:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         count = len(workspace.frames) if workspace is not None else 0
         self.position.setText(
-            f" {self._document.state.frame_index + 1} / {count} " if count else " – "
+            f" {self._services.state.frame_index + 1} / {count} " if count else " – "
         )
-        frame = self._document.state.frame
+        frame = self._services.state.frame
         self.position.setToolTip(str(frame.image_path) if frame is not None else "")
         self._show_status()
 
     def _show_dataset(self) -> None:
         """Show the dataset and its sport."""
-        workspace, field = self._document.state.workspace, self._document.state.field
+        workspace, field = self._services.state.workspace, self._services.state.field
         name = workspace.root.name if workspace is not None else ""
         self.chip.set_words(" · ".join(filter(None, (name, tr(field.title)))))
         lines = [str(workspace.root)] if workspace is not None else []

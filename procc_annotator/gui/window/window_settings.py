@@ -14,7 +14,7 @@ from procc_annotator.dataset.records import default_author
 from procc_annotator.gui import settings as rows
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import set_text_size, set_theme
 from procc_annotator.gui.window.workspaces import Workspaces
 
@@ -40,17 +40,17 @@ class BoundSettings:
     def __init__(
         self,
         settings: Settings,
-        document: Document,
+        services: Services,
         canvas: Canvas,
         action: Callable[[str], QAction],
     ) -> None:
-        self._settings, self._document = settings, document
+        self._settings, self._services = settings, services
         self._action = action
-        self._places = _places(document, canvas)
+        self._places = _places(services, canvas)
         # A locked dataset may hold what a person chose for all of them.
         self._chosen: Mapping[str, Callable[[], bool]] = {
-            "blind": lambda: document.blind_lock.wanted,
-            "live_fit": lambda: document.live_fit.chosen,
+            "blind": lambda: services.blind_lock.wanted,
+            "live_fit": lambda: services.live_fit.chosen,
         }
 
     def value(self, setting: Setting[T]) -> T:
@@ -77,9 +77,9 @@ class BoundSettings:
             if value != self.value(setting):
                 self._action(f"{_CHOICES[key]}_{value}").trigger()
         elif setting is rows.AUTHOR:
-            self._document.set_author(str(value) or default_author())
+            self._services.set_author(str(value) or default_author())
         elif setting is rows.KEYS:
-            self._document.store.update(keymap=value)
+            self._services.store.update(keymap=value)
         elif setting is rows.THEME:
             set_theme(_application(), str(value))
         elif key in self._places:
@@ -111,18 +111,18 @@ def _application() -> QApplication:
     return application
 
 
-def _places(document: Document, canvas: Canvas) -> dict[str, _Place]:
-    fit_source = document.fit_source
+def _places(services: Services, canvas: Canvas) -> dict[str, _Place]:
+    fit_source = services.fit_source
 
     def prefer(fit: bool) -> None:
         fit_source.preferred = fit
 
     return {
-        rows.TAU.key: _Place(lambda: document.state.tau, document.terms.set_tau),
-        rows.PROTOCOL.key: _Place(lambda: document.state.setup.protocol),
-        rows.OFF_PLANE.key: _Place(lambda: document.state.setup.off_plane),
+        rows.TAU.key: _Place(lambda: services.state.tau, services.evaluation.set_tau),
+        rows.PROTOCOL.key: _Place(lambda: services.state.setup.protocol),
+        rows.OFF_PLANE.key: _Place(lambda: services.state.setup.off_plane),
         rows.COLOUR_BY.key: _Place(lambda: canvas.drawing.colour_by),
-        rows.FIT_MODEL.key: _Place(lambda: document.live_fit.model, document.live_fit.set_model),
+        rows.FIT_MODEL.key: _Place(lambda: services.live_fit.model, services.live_fit.set_model),
         rows.JUDGE_FIT.key: _Place(lambda: fit_source.preferred, prefer),
     }
 

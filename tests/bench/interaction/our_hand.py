@@ -75,7 +75,7 @@ class OurHand:
     """Does what is measured."""
 
     def __init__(self, window: MainWindow, watch: Stopwatch) -> None:
-        self.window, self.document, self.watch = window, window.document, watch
+        self.window, self.services, self.watch = window, window.services, watch
         self.longest: list[float] = []
 
     def quiet(self) -> bool:
@@ -88,34 +88,34 @@ class OurHand:
         self.watch.rest(self.quiet, least_s)
 
     def edit(self, first: int) -> None:
-        document, watch, canvas = self.document, self.watch, self.window.canvas
-        document.walk.go_to(first)
+        services, watch, canvas = self.services, self.watch, self.window.canvas
+        services.navigator.go_to(first)
         self.rest(0.5)
-        document.selecting.set_mode("edit")
+        services.selection.set_mode("edit")
         for snapping, name in ((True, "snapping and loupe"), (False, "neither")):
-            document.selecting.set_option("snapping", snapping)
+            services.selection.set_option("snapping", snapping)
             if not snapping:
                 canvas._place_loupe = canvas.loupe.hide
             self.rest()
             for turn in range(3):
                 self._drag(f"drag, per move, {name}", turn)
         del canvas._place_loupe
-        document.selecting.set_option("snapping", True)
+        services.selection.set_option("snapping", True)
         for turn in range(20):
             self.rest()
-            watch.time("undo", document.editing.redo if turn % 2 else document.editing.undo)
+            watch.time("undo", services.editing.redo if turn % 2 else services.editing.undo)
         self._draw()
         for turn in range(20):
-            (document.editing.redo if turn % 2 else document.editing.undo)()
+            (services.editing.redo if turn % 2 else services.editing.undo)()
             self.rest()
-            workspace, index = document.state.workspace, document.state.frame_index
+            workspace, index = services.state.workspace, services.state.frame_index
             edited = workspace.state(index).history
             workspace.edit(index, "bench", _moved(edited.current, 1e-4 * (turn + 1)))
-            watch.time("save", partial(document.saver.save_behind, index), paints=False)
+            watch.time("save", partial(services.saver.save_behind, index), paints=False)
             self.rest()
 
     def _drag(self, row: str, turn: int) -> None:
-        polyline = self.document.state.annotation.get(ELEMENT)
+        polyline = self.services.state.annotation.get(ELEMENT)
         point = polyline.points[0]
         grip = self.window.canvas.to_view(point.u * 1919, point.v * 1079).toPoint()
         viewport = self.window.canvas.viewport()
@@ -132,16 +132,16 @@ class OurHand:
         self.rest()
 
     def _draw(self) -> None:
-        document, watch, canvas = self.document, self.watch, self.window.canvas
-        document.selecting.set_mode("draw")
+        services, watch, canvas = self.services, self.watch, self.window.canvas
+        services.selection.set_mode("draw")
         name = next(
             e.name
-            for e in document.state.field.elements
-            if document.state.annotation.get(e.name) is None
+            for e in services.state.field.elements
+            if services.state.annotation.get(e.name) is None
         )
-        ground = document.state.annotation.get(ELEMENT).points
+        ground = services.state.annotation.get(ELEMENT).points
         for turn in range(10):
-            document.selecting.select_class(name)
+            services.selection.select_class(name)
             self.rest()
             for i in range(5):
                 at = ground[0].u * 1919 + 20 * i + turn, ground[0].v * 1079 + 15 * i
@@ -153,7 +153,7 @@ class OurHand:
             row = "an element finished (Enter), shown"
             watch.time(row, partial(QTest.keyClick, canvas, Qt.Key.Key_Return))
             self.rest()
-            document.editing.undo()
+            services.editing.undo()
             self.rest()
 
     def _move(self, at: QPoint, held: Qt.MouseButton) -> None:
@@ -165,22 +165,22 @@ class OurHand:
 
     def walk(self, first: int) -> None:
         """Frame after frame; each prefetched, or each jumped to."""
-        document, watch = self.document, self.watch
-        document.selecting.set_mode("draw")
+        services, watch = self.services, self.watch
+        services.selection.set_mode("draw")
         for index in range(first + 1, first + 41):
-            path = document.state.workspace.frames[index].image_path
-            watch.rest(lambda path=path: document.cache.peek(path) is not None)
+            path = services.state.workspace.frames[index].image_path
+            watch.rest(lambda path=path: services.cache.peek(path) is not None)
             self.rest()
-            watch.time("next frame, prefetched", lambda i=index: document.walk.go_to(i))
+            watch.time("next frame, prefetched", lambda i=index: services.navigator.go_to(i))
         for index in itertools.islice(itertools.count(first + 60, 20), 20):
             self.rest()
-            watch.time("next frame, decoded", lambda i=index: document.walk.go_to(i))
+            watch.time("next frame, decoded", lambda i=index: services.navigator.go_to(i))
 
     def memory(self) -> dict[str, float]:
         """After so many frames seen from here, one after the other as fast as they come."""
-        document, found = self.document, {}
+        services, found = self.services, {}
         for index in range(500):
-            self._step(lambda i=index: document.walk.go_to(i))
+            self._step(lambda i=index: services.navigator.go_to(i))
             if index + 1 in (75, 500):
                 self.rest(0.3)
                 found[str(index + 1)] = resident_mb()

@@ -31,7 +31,7 @@ PAN = 0.1  # of the width
 def near_lines(window: MainWindow, count: int) -> Iterator[tuple[float, float]]:
     """Places up to 4 px beside the annotated points of the frame, again and again."""
     rng = np.random.default_rng(1)
-    places = [points_px(p, SIZE) for p in window.document.state.annotation.polylines]
+    places = [points_px(p, SIZE) for p in window.services.state.annotation.polylines]
     points = np.concatenate(places)
     inside = points[((points > 40) & (points < np.array(SIZE) - 40)).all(axis=1)]
     for i in range(count):
@@ -40,25 +40,25 @@ def near_lines(window: MainWindow, count: int) -> Iterator[tuple[float, float]]:
 
 
 def test_click_with_snap(window, report):
-    document, hand = window.document, Hand(window)
-    document.walk.go_to(1)
+    services, hand = window.services, Hand(window)
+    services.navigator.go_to(1)
     places = near_lines(window, 10_000)
-    document.selecting.set_mode("draw")
-    document.selecting.select_class("Circle left")
+    services.selection.set_mode("draw")
+    services.selection.select_class("Circle left")
     QApplication.processEvents()
-    before = len(points_px(document.state.annotation.get("Circle left"), SIZE))
+    before = len(points_px(services.state.annotation.get("Circle left"), SIZE))
     clicked: list[tuple[float, float]] = []
     report("a click that snaps, repainted", lambda: clicked.append(hand.click(*next(places))), 60)
     hand.key(Qt.Key.Key_Return)
-    drawn = points_px(document.state.annotation.get("Circle left"), SIZE)
+    drawn = points_px(services.state.annotation.get("Circle left"), SIZE)
     assert len(drawn) == before + len(clicked)
     moved = np.hypot(*(drawn[before:] - clicked).T) > 0.01
     assert moved.mean() > 0.3  # the others are at crossings, or on no paint
 
 
 def test_snap_alone(window, report):
-    window.document.walk.go_to(1)
-    picture = window.document.walk.picture
+    window.services.navigator.go_to(1)
+    picture = window.services.navigator.picture
     assert picture is not None
     places = near_lines(window, 10_000)
     report("finding a line's centre", lambda: snap_to_line(picture, next(places)), 300)
@@ -71,18 +71,18 @@ def test_snap_alone(window, report):
 
 
 def test_regularise_a_frame(window, qtbot, report):
-    document = window.document
-    document.walk.go_to(1)
-    elements = len(document.state.annotation.polylines)
+    services = window.services
+    services.navigator.go_to(1)
+    elements = len(services.state.annotation.polylines)
 
     def regularise() -> None:
         with qtbot.waitSignal(
-            document.store.events.message, check_params_cb=lambda m: "regularise" in m.text
+            services.store.events.message, check_params_cb=lambda m: "regularise" in m.text
         ):
             window.assistant.regularise_frame()
 
     def restore() -> None:
-        document.editing.undo()
+        services.editing.undo()
 
     report(f"regularise a frame of {elements} elements, in the background", regularise, 10, restore)
 
@@ -107,17 +107,17 @@ def test_copy_with_motion(qtbot, panned, tmp_path, report):
     )
     window = build_window(panned)
     qtbot.addWidget(window)
-    document = window.document
-    document.walk.go_to(1)
+    services = window.services
+    services.navigator.go_to(1)
 
     def copy() -> None:
         with qtbot.waitSignal(
-            document.store.events.message, check_params_cb=lambda m: "copied" in m.text
+            services.store.events.message, check_params_cb=lambda m: "copied" in m.text
         ):
             window.assistant.copy_from_previous()
 
-    report("copy, moved with the camera", copy, 10, document.editing.undo)
-    document.close()
+    report("copy, moved with the camera", copy, 10, services.editing.undo)
+    services.close()
 
 
 def test_open_a_very_large_dataset(benchmark, qtbot, dataset, tmp_path):
@@ -144,12 +144,12 @@ def test_open_a_very_large_dataset(benchmark, qtbot, dataset, tmp_path):
     QApplication.processEvents()
 
     def opened() -> None:
-        window.document.opening.open_path(folder)
+        window.services.opening.open_path(folder)
         QApplication.processEvents()
         window.grab()
 
     benchmark.pedantic(opened, rounds=5, warmup_rounds=1)
-    assert len(window.document.state.workspace.frames) == MANY
-    assert window.document.review.database.record(names[2]).status == Status.REJECTED
+    assert len(window.services.state.workspace.frames) == MANY
+    assert window.services.review.database.record(names[2]).status == Status.REJECTED
     print(f"\nopen {MANY:,} frames with their database: {benchmark.stats.stats.median:.2f} s")
-    window.document.close()
+    window.services.close()

@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QApplication
 from procc_annotator.annotation import points_px
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.maps import compare_cameras
+from procc_annotator.gui.state.services import Services
 from tests.bench.interaction.conftest import FRAMES, SIZE
 from tests.gui.conftest import Hand, all_done
 
@@ -26,7 +26,7 @@ SETS = ("bad", "homography", "pinhole", "true")
 @pytest.fixture
 def sources(window, sample_data, tmp_path, qtbot) -> MainWindow:
     """Four sources that have a camera for every frame, all of them audited."""
-    document = window.document
+    services = window.services
     for name in SETS:
         files = sorted((sample_data / "cameras" / name).iterdir())
         folder = tmp_path / name
@@ -36,28 +36,28 @@ def sources(window, sample_data, tmp_path, qtbot) -> MainWindow:
             prefix = "camera_" if file.suffix == ".json" else ""
             (folder / f"{prefix}{i + 1:05d}{file.suffix}").symlink_to(file)
         begin = time.perf_counter()
-        assert document.camera_sources.load_cameras(folder)
+        assert services.camera_sources.load_cameras(folder)
         print(f"\nload {FRAMES:,} cameras ({name}): {(time.perf_counter() - begin) * 1e3:.0f} ms")
     begin = time.perf_counter()
-    qtbot.waitUntil(lambda: not document.set_scores.running, timeout=300_000)
+    qtbot.waitUntil(lambda: not services.dataset_scores.running, timeout=300_000)
     print(f"audit the set for {len(SETS)} sources: {time.perf_counter() - begin:.1f} s")
-    document.walk.go_to(1)
+    services.navigator.go_to(1)
     qtbot.waitUntil(
-        lambda: all(document.source_frames.of(s) is not None for s in document.state.sources)
+        lambda: all(services.source_frames.of(s) is not None for s in services.state.sources)
     )
     all_done(qtbot)
     return window
 
 
 def test_switch_the_active_source(sources, report):
-    document = sources.document
+    services = sources.services
     turns = itertools.cycle(range(len(SETS)))
     report(
         "switch the active source, all redrawn",
-        lambda: document.camera_sources.set_active_camera(next(turns)),
+        lambda: services.camera_sources.set_active_camera(next(turns)),
         60,
     )
-    _assert_shown(document, turns)
+    _assert_shown(services, turns)
     sources.panels.show("cameras")
     QApplication.processEvents()
 
@@ -65,31 +65,31 @@ def test_switch_the_active_source(sources, report):
 def test_switch_with_the_panel_of_sources(sources, report):
     sources.panels.show("cameras")
     QApplication.processEvents()
-    document = sources.document
+    services = sources.services
     turns = itertools.cycle(range(len(SETS)))
     report(
         "switch, list of sources open",
-        lambda: document.camera_sources.set_active_camera(next(turns)),
+        lambda: services.camera_sources.set_active_camera(next(turns)),
         60,
     )
-    _assert_shown(document, turns)
+    _assert_shown(services, turns)
 
 
-def _assert_shown(document: Document, turns: Iterator[int]) -> None:
+def _assert_shown(services: Services, turns: Iterator[int]) -> None:
     """The source that was switched to last is the one that is judged, and drawn."""
-    assert document.state.active is document.state.sources[(next(turns) - 1) % len(SETS)]
-    assert document.judge.measurement is not None
+    assert services.state.active is services.state.sources[(next(turns) - 1) % len(SETS)]
+    assert services.scorer.measurement is not None
 
 
 @pytest.mark.parametrize("split", [False, True], ids=["wireframes", "wireframes and split"])
 def test_drag_beside_other_sources(sources, report, split):
-    document, hand = sources.document, Hand(sources)
-    document.camera_sources.set_active_camera(0)
-    document.selecting.set_mode("edit")
+    services, hand = sources.services, Hand(sources)
+    services.camera_sources.set_active_camera(0)
+    services.selection.set_mode("edit")
     if split:
         sources.actions_["split"].trigger()
     QApplication.processEvents()
-    polyline = document.state.annotation.get("Big rect. left main")
+    polyline = services.state.annotation.get("Big rect. left main")
     assert polyline is not None
     grip = hand.at(*map(float, points_px(polyline, SIZE)[0]))
     viewport = sources.canvas.viewport()
@@ -115,22 +115,24 @@ def test_move_the_divider(sources, report):
 
 
 def test_next_frame_with_four_sources(sources, report, qtbot):
-    document = sources.document
+    services = sources.services
     indices = itertools.count(2)
 
     def ready() -> None:
-        index = document.state.frame_index + 1
-        frame = document.state.workspace.frames[index]
-        qtbot.waitUntil(lambda: document.cache.peek(frame.image_path) is not None)
+        index = services.state.frame_index + 1
+        frame = services.state.workspace.frames[index]
+        qtbot.waitUntil(lambda: services.cache.peek(frame.image_path) is not None)
         all_done(qtbot)
 
-    report("next frame, four sources", lambda: document.walk.go_to(next(indices)), 25, setup=ready)
+    report(
+        "next frame, four sources", lambda: services.navigator.go_to(next(indices)), 25, setup=ready
+    )
 
 
 def test_disagreement(sources, report, qtbot):
-    document = sources.document
-    size, field = (1280, 720), document.state.field
-    folder = document.state.sources
+    services = sources.services
+    size, field = (1280, 720), services.state.field
+    folder = services.state.sources
     for a, b in (("pinhole", "true"), ("bad", "homography")):
         pair = [
             CameraSet.open(next(s.camera_set.path for s in folder if s.name == name))
@@ -144,6 +146,6 @@ def test_disagreement(sources, report, qtbot):
             times.append((time.perf_counter() - begin) * 1e3)
         print(f"\ndisagreement of {a} and {b}, 1280x720: {sorted(times)[10]:.1f} ms")
     sources.actions_["disagreement"].trigger()
-    qtbot.waitUntil(lambda: document.disagreement.value is not None)
-    shown = document.disagreement
+    qtbot.waitUntil(lambda: services.disagreement.value is not None)
+    shown = services.disagreement
     report("show it on picture and field map", shown.changed.emit, 40)

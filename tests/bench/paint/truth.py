@@ -130,14 +130,14 @@ def _frame(clip: Path, number: int) -> PixelArray:
 def truth_frames() -> tuple[TruthFrame, ...]:
     """All annotated frames, clip by clip."""
     return tuple(
-        _of(document, int(number), frame)
+        _of(services, int(number), frame)
         for path in sorted(FOLDER.glob("*.json"))
-        for document in [json.loads(path.read_text())]
-        for number, frame in document["frames"].items()
+        for services in [json.loads(path.read_text())]
+        for number, frame in services["frames"].items()
     )
 
 
-def _of(document: dict, number: int, frame: dict) -> TruthFrame:
+def _of(services: dict, number: int, frame: dict) -> TruthFrame:
     elements = []
     for e in frame["elements"]:
         rows = np.array(e["points"], dtype=np.float64)
@@ -145,9 +145,9 @@ def _of(document: dict, number: int, frame: dict) -> TruthFrame:
         elements.append(Element(e["name"], e["kind"], rows[:, :2], rows[:, 2:], ends))
     width, height = frame["size"]
     return TruthFrame(
-        document["clip"],
+        services["clip"],
         number,
-        document["field"],
+        services["field"],
         (width, height),
         tuple(elements),
         _places(frame["hidden"]),

@@ -18,7 +18,7 @@ from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.field.model import BAR
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.line_snapping import snap_points_to_lines
 from procc_annotator.image.pixels import PixelArray
@@ -64,14 +64,14 @@ class _Outcome:
 class Assistant(QObject):
     """Runs one piece of work at a time; an outcome that came too late is not applied."""
 
-    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+    def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._work = LatestOnlyTask(
-            self, lambda text: document.say(text, "warning"), priority=Priority.URGENT
+            self, lambda text: services.say(text, "warning"), priority=Priority.URGENT
         )
         self._doing = _REGULARISING  # what is worked out
-        document.store.watch(select.frame, self._leave)
+        services.store.watch(select.frame, self._leave)
 
     @property
     def busy(self) -> bool:
@@ -82,44 +82,44 @@ class Assistant(QObject):
 
     def regularise_element(self) -> None:
         """Resample the selected element along its painted line, or the one just finished."""
-        document = self._document
-        document.store.events.aboutToLeave.emit()
-        annotation = document.state.annotation
-        for name in (document.state.selection.last_finished, document.state.selected_class):
+        services = self._services
+        services.store.events.aboutToLeave.emit()
+        annotation = services.state.annotation
+        for name in (services.state.selection.last_finished, services.state.selected_class):
             polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
                 return
-        document.say(tr("choose an annotated element first"))
+        services.say(tr("choose an annotated element first"))
 
     def regularise_named(self, name: str) -> None:
         """Resample the element of a class along its painted line."""
-        self._document.store.events.aboutToLeave.emit()
-        polyline = self._document.state.annotation.get(name)
+        self._services.store.events.aboutToLeave.emit()
+        polyline = self._services.state.annotation.get(name)
         self._regularise((polyline,) if polyline is not None else ())
 
     def regularise_frame(self) -> None:
         """Resample all elements of the frame along their painted lines."""
-        self._document.store.events.aboutToLeave.emit()
-        self._regularise(self._document.state.annotation.polylines)
+        self._services.store.events.aboutToLeave.emit()
+        self._regularise(self._services.state.annotation.polylines)
 
     def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
         self._work.finish()  # what was asked for before is done first
-        document, picture = self._document, self._document.walk.picture
-        field, size = document.state.field, document.state.picture_size
+        services, picture = self._services, self._services.navigator.picture
+        field, size = services.state.field, services.state.picture_size
         # Smoothing would round the corners off, and a single place has no line.
         smooth = {e.name for e in field.elements if isinstance(e.geometry, Line | Arc | Circle)}
         given = [p for p in polylines if field.element(p.class_name) is not None]
         polylines = tuple(p for p in given if p.class_name in smooth)
         if given and not polylines:
             title = tr(field.title_of(given[0].class_name))
-            document.say(
+            services.say(
                 tr("{element} has corners or is one place: it stays as it is", element=title)
             )
             return
         if not polylines:
-            document.say(tr("no element of the field is annotated here"))
-        if not polylines or not document.editing.begin_edit() or picture is None or size is None:
+            services.say(tr("no element of the field is annotated here"))
+        if not polylines or not services.editing.begin_edit() or picture is None or size is None:
             return
         curved = {e.name for e in field.elements if e.is_curved}
         paint = ExpectedLines(field, size[0])
@@ -142,10 +142,10 @@ class Assistant(QObject):
         self._work.start(work, self._apply_regularised)
 
     def _apply_regularised(self, outcome: _Outcome) -> None:
-        document = self._document
-        if not document.editing.begin_edit():
+        services = self._services
+        if not services.editing.begin_edit():
             return
-        annotation = document.state.annotation
+        annotation = services.state.annotation
         done: list[Polyline] = []
         unseen: set[PointKey] = set()
         for before, after in outcome.pairs:
@@ -159,16 +159,16 @@ class Assistant(QObject):
                 annotation = annotation.with_polyline(after.polyline)
                 done.append(after.polyline)
         if not done:
-            document.editing.note_unseen(frozenset(unseen))
-            document.say(_with_unconfirmed(tr(_NOTHING_REGULARISED), len(unseen)))
+            services.editing.note_unseen(frozenset(unseen))
+            services.say(_with_unconfirmed(tr(_NOTHING_REGULARISED), len(unseen)))
             return
 
         if len(done) == 1:
-            what = translatable(document.state.field.title_of(done[0].class_name))
+            what = translatable(services.state.field.title_of(done[0].class_name))
         else:
             what = translatable_count(len(done), "{n} element", "{n} elements")
         label = translatable("regularise {what}", what=what)
-        if document.editing.commit_edit(
+        if services.editing.commit_edit(
             label, annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
         ):
             points = sum(len(p.points) for p in done)
@@ -178,7 +178,7 @@ class Assistant(QObject):
                 "regularised {what}: {n} points",
                 what=what,
             )
-            document.say(_with_unconfirmed(words, len(unseen)))
+            services.say(_with_unconfirmed(words, len(unseen)))
 
     # --- copying --------------------------------------------------------------------------
 
@@ -186,26 +186,26 @@ class Assistant(QObject):
         """Take over the elements of the nearest annotated frame before this one, moved as the
         camera moved; they wait for the user."""
         self._work.finish()
-        document = self._document
-        document.store.events.aboutToLeave.emit()
-        workspace = document.state.workspace
-        source = annotated_before(workspace, document.state.frame_index) if workspace else None
-        picture, size = document.walk.picture, document.state.picture_size
+        services = self._services
+        services.store.events.aboutToLeave.emit()
+        workspace = services.state.workspace
+        source = annotated_before(workspace, services.state.frame_index) if workspace else None
+        picture, size = services.navigator.picture, services.state.picture_size
         if source is None:
-            document.say(tr("no frame before this one is annotated"))
+            services.say(tr("no frame before this one is annotated"))
             return
-        if not document.editing.begin_edit() or picture is None or size is None:
+        if not services.editing.begin_edit() or picture is None or size is None:
             return
         frame, annotation = source
-        known = set(document.state.annotation.annotated)
+        known = set(services.state.annotation.annotated)
         polylines = tuple(p for p in annotation.polylines if p.points and p.class_name not in known)
         if not polylines:
-            document.say(tr("{frame} has no element that is missing here", frame=frame.name))
+            services.say(tr("{frame} has no element that is missing here", frame=frame.name))
             return
         self._doing = _COPYING
-        fit = document.shot_track.fit_here if document.proposals.allowed else None
+        fit = services.shot_track.fit_here if services.proposals.allowed else None
         if fit is not None:
-            here, field = document.state.annotation, document.state.sized_field
+            here, field = services.state.annotation, services.state.sized_field
             self._work.start(
                 lambda _: copy_along_track(polylines, here, picture, field, fit),
                 partial(self._apply_copied, frame.name, along_track=True),
@@ -216,38 +216,38 @@ class Assistant(QObject):
     def _copy_moved(
         self, frame: Frame, polylines: tuple[Polyline, ...], picture: PixelArray, width: int
     ) -> None:
-        document = self._document
-        kept = document.cache.peek(frame.image_path)
+        services = self._services
+        kept = services.cache.peek(frame.image_path)
 
         def work(control: JobControl) -> Copied:
             previous = kept if kept is not None else decode_bgra(frame.image_path)
             return copy_moved(polylines, previous, picture, curved, paint, spots)
 
-        elements = document.state.field.elements
-        paint = ExpectedLines(document.state.field, width)
+        elements = services.state.field.elements
+        paint = ExpectedLines(services.state.field, width)
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, frame.name))
 
     def _apply_copied(self, source: str, outcome: Copied, *, along_track: bool = False) -> None:
-        document = self._document
-        if not document.editing.begin_edit():
+        services = self._services
+        if not services.editing.begin_edit():
             return
-        proposed = editing.add_unconfirmed(document.state.annotation, outcome.polylines)
+        proposed = editing.add_unconfirmed(services.state.annotation, outcome.polylines)
         label = translatable("copy from {frame}", frame=source)
-        if document.editing.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
+        if services.editing.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (
                 outcome.polylines
-                and document.state.annotation.get_unconfirmed(document.state.selected_class or "")
+                and services.state.annotation.get_unconfirmed(services.state.selected_class or "")
                 is None
             ):
-                document.selecting.select_class(
+                services.selection.select_class(
                     outcome.polylines[0].class_name
                 )  # Enter confirms it
             what = tr_count(len(outcome.polylines), "{n} element", "{n} elements")
             how = _ALONG_TRACK if along_track else _MOVED if outcome.moved else _AS_THEY_WERE
             words = tr(how, what=what, frame=source)
-            document.say(_with_unconfirmed(words, len(outcome.unseen)))
+            services.say(_with_unconfirmed(words, len(outcome.unseen)))
 
     # --- second thoughts ------------------------------------------------------------------
 
@@ -255,9 +255,9 @@ class Assistant(QObject):
         """Take Escape or Undo while something is worked out: it is what they take back."""
         if name not in ("Escape", "Undo") or not self._work.cancel():
             return False
-        self._document.say(tr(_TAKEN_BACK[self._doing]))
+        self._services.say(tr(_TAKEN_BACK[self._doing]))
         return True
 
     def _leave(self) -> None:
         if self._work.cancel():
-            self._document.say(tr(_LEFT[self._doing]))
+            self._services.say(tr(_LEFT[self._doing]))

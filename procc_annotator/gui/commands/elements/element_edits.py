@@ -26,7 +26,7 @@ from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.panels.element_states import class_swatch
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction.class_choice import next_element, rank_classes
 from procc_annotator.interaction.gestures import CONFIRM, step_name
 from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
@@ -38,8 +38,8 @@ class ElementEdits:
     Whatever changes an unconfirmed element confirms it: the user has decided where it is.
     """
 
-    def __init__(self, document: Document) -> None:
-        self._document = document
+    def __init__(self, services: Services) -> None:
+        self._services = services
 
     # --- the element's class --------------------------------------------------------------
 
@@ -48,22 +48,22 @@ class ElementEdits:
         old = self._selected()
         if old is None or new == old:
             return
-        if self._document.state.annotation.get(new) is not None:
+        if self._services.state.annotation.get(new) is not None:
             self._swap(old, new)
             return
         label = self._step(word("{element} becomes {other}"), element=old, other=new)
         if self._edit((old, new), label, lambda seen: editing.change_class(seen, old, new)):
-            self._document.selecting.select_class(new)
+            self._services.selection.select_class(new)
 
     def _swap(self, old: str, other: str) -> None:
         label = self._step(word("swap {element} and {other}"), element=old, other=other)
         if self._edit((old, other), label, lambda seen: editing.swap_classes(seen, old, other)):
-            self._document.selecting.select_class(other)
+            self._services.selection.select_class(other)
 
     def symmetric_classes(self) -> tuple[str, ...]:
         """The other classes that the selected one becomes on the turned field, a turn each."""
-        name = self._document.state.selected_class
-        return self._document.state.field.symmetric_names(name) if name is not None else ()
+        name = self._services.state.selected_class
+        return self._services.state.field.symmetric_names(name) if name is not None else ()
 
     def duplicate_symmetric(self) -> None:
         """Put an unconfirmed copy of the selected element under its symmetric class; of several
@@ -71,14 +71,14 @@ class ElementEdits:
         old, partners = self._selected(), self.symmetric_classes()
         if old is None:
             return
-        document = self._document
+        services = self._services
         polyline = self._touched(old).get(old)
         if not partners or polyline is None:
-            document.say(tr("{element} is its own symmetric element", element=self._title(old)))
+            services.say(tr("{element} is its own symmetric element", element=self._title(old)))
             return
-        new = next((name for name in partners if document.state.annotation.get(name) is None), None)
+        new = next((name for name in partners if services.state.annotation.get(name) is None), None)
         if new is None:
-            document.say(
+            services.say(
                 tr_count(
                     len(partners),
                     "{elements} is annotated already",
@@ -90,9 +90,9 @@ class ElementEdits:
         copy = editing.change_class(FrameAnnotation((polyline,)), old, new).polylines
         label = self._step(word("duplicate {element} as {other}"), element=old, other=new)
         if self._edit((old, new), label, lambda seen: editing.add_unconfirmed(seen, copy)):
-            document.selecting.set_mode("edit")
-            document.selecting.select_class(new)
-            document.say(
+            services.selection.set_mode("edit")
+            services.selection.select_class(new)
+            services.say(
                 tr(
                     "{element} lies where {other} is: drag it to its place",
                     element=self._title(new),
@@ -110,9 +110,9 @@ class ElementEdits:
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
-        point = self._document.state.selection.point
+        point = self._services.state.selection.point
         if point is None:
-            self._document.say(tr("choose the point to split at first (edit mode)"))
+            self._services.say(tr("choose the point to split at first (edit mode)"))
             return
         name, index = point
 
@@ -133,39 +133,39 @@ class ElementEdits:
             return
         label = self._step(word("merge {element} into {other}"), element=source, other=target)
         if self._edit((source, target), label, lambda seen: editing.merge(seen, source, target)):
-            self._document.selecting.select_class(target)
+            self._services.selection.select_class(target)
 
     def close_gaps(self) -> None:
         """Let the selected element, or all, reach the corners and edges they fall short of."""
-        document, size = self._document, self._document.state.picture_size
-        document.store.events.aboutToLeave.emit()
-        if not document.editing.begin_edit() or size is None:
+        services, size = self._services, self._services.state.picture_size
+        services.store.events.aboutToLeave.emit()
+        if not services.editing.begin_edit() or size is None:
             return
-        selected = document.state.selected_class
+        selected = services.state.selected_class
 
         def close(annotation: FrameAnnotation) -> FrameAnnotation:
             changed = annotation if selected is None else editing.confirm(annotation, selected)
             for polyline in changed.polylines:
                 if selected in (None, polyline.class_name):
-                    closed = close_gaps(polyline, changed, document.state.field, size)
+                    closed = close_gaps(polyline, changed, services.state.field, size)
                     if closed != polyline:
                         changed = changed.with_polyline(closed)
             if changed == annotation:
                 raise UsageError(tr("no end is that near to a corner or the picture's edge"))
             return changed
 
-        document.editing.edit(translatable("close gaps"), close, OriginKind.MOVED)
+        services.editing.edit(translatable("close gaps"), close, OriginKind.MOVED)
 
     # --- unconfirmed elements -------------------------------------------------------------
 
     def confirm(self) -> None:
         """Make the selected unconfirmed element an annotated one."""
-        document = self._document
-        document.store.events.aboutToLeave.emit()
-        name = document.state.selected_class
-        if name is not None and document.state.annotation.get_unconfirmed(name) is not None:
-            label = step_name(CONFIRM, document.state.field.title_of(name))
-            document.editing.edit(
+        services = self._services
+        services.store.events.aboutToLeave.emit()
+        name = services.state.selected_class
+        if name is not None and services.state.annotation.get_unconfirmed(name) is not None:
+            label = step_name(CONFIRM, services.state.field.title_of(name))
+            services.editing.edit(
                 label, lambda seen: editing.confirm(seen, name), OriginKind.COPIED
             )
 
@@ -173,24 +173,24 @@ class ElementEdits:
         """Make all unconfirmed elements annotated ones; the next one is chosen, as after each that
         is finished: a click must not go on with one that was chosen because it waited."""
         if waiting := self._unconfirmed():
-            document = self._document
-            name = document.state.selected_class or ""
-            waited = document.state.annotation.get_unconfirmed(name) is not None
+            services = self._services
+            name = services.state.selected_class or ""
+            waited = services.state.annotation.get_unconfirmed(name) is not None
             label = translatable_count(waiting, "confirm {n} element", "confirm {n} elements")
-            if not document.editing.edit(label, editing.confirm_all, OriginKind.COPIED):
+            if not services.editing.edit(label, editing.confirm_all, OriginKind.COPIED):
                 return
-            if waited and document.state.mode == "draw":
-                document.selecting.select_class(self._following(name))
-            document.say(tr_count(waiting, "confirmed {n} element", "confirmed {n} elements"))
+            if waited and services.state.mode == "draw":
+                services.selection.select_class(self._following(name))
+            services.say(tr_count(waiting, "confirmed {n} element", "confirmed {n} elements"))
 
     def _following(self, name: str) -> str | None:
-        document = self._document
-        if not document.state.options.auto_advance:
+        services = self._services
+        if not services.state.options.auto_advance:
             return None
-        field, gains = document.state.field, document.ghosts.gains
-        unseen = document.ghosts.out_of_sight
+        field, gains = services.state.field, services.ghosts.gains
+        unseen = services.ghosts.out_of_sight
         return next_element(
-            field, document.state.annotation, name, gains=gains, out_of_sight=unseen
+            field, services.state.annotation, name, gains=gains, out_of_sight=unseen
         )
 
     def drop_unconfirmed(self) -> None:
@@ -199,8 +199,8 @@ class ElementEdits:
             label = translatable_count(
                 waiting, "drop {n} unconfirmed element", "drop {n} unconfirmed elements"
             )
-            if self._document.editing.edit(label, editing.drop_unconfirmed):
-                self._document.say(
+            if self._services.editing.edit(label, editing.drop_unconfirmed):
+                self._services.say(
                     tr_count(
                         waiting,
                         "dropped {n} unconfirmed element",
@@ -210,34 +210,34 @@ class ElementEdits:
 
     def _unconfirmed(self) -> int:
         """Return how many elements are unconfirmed; says so where none is."""
-        self._document.store.events.aboutToLeave.emit()
-        waiting = len(self._document.state.annotation.unconfirmed)
+        self._services.store.events.aboutToLeave.emit()
+        waiting = len(self._services.state.annotation.unconfirmed)
         if not waiting:
-            self._document.say(tr("nothing is unconfirmed on this frame"))
+            self._services.say(tr("nothing is unconfirmed on this frame"))
         return waiting
 
     # --- inside ---------------------------------------------------------------------------
 
     def _selected(self) -> str | None:
         """The selected class if it is annotated; else says so. What is under way ends first."""
-        self._document.store.events.aboutToLeave.emit()
-        name = self._document.state.selected_class
+        self._services.store.events.aboutToLeave.emit()
+        name = self._services.state.selected_class
         polyline = self._touched(name).get(name) if name is not None else None
         if polyline is None or not polyline.points:
-            self._document.say(tr("choose an annotated element first"))
+            self._services.say(tr("choose an annotated element first"))
             return None
         return name
 
     def _touched(self, class_name: str) -> FrameAnnotation:
         """The annotation with this element confirmed, if it was not."""
-        return editing.confirm(self._document.state.annotation, class_name)
+        return editing.confirm(self._services.state.annotation, class_name)
 
     def _title(self, class_name: str) -> str:
-        return tr(self._document.state.field.title_of(class_name))
+        return tr(self._services.state.field.title_of(class_name))
 
     def _step(self, words: str, **elements: str) -> str:
         """The name of a step of undo: what ``word`` marked, with elements by their classes."""
-        title_of = self._document.state.field.title_of
+        title_of = self._services.state.field.title_of
         return translatable(
             words, **{place: translatable(title_of(name)) for place, name in elements.items()}
         )
@@ -265,7 +265,7 @@ class ElementEdits:
             except ValueError as error:
                 raise UsageError(str(error)) from error
 
-        return self._document.editing.edit(label, apply)
+        return self._services.editing.edit(label, apply)
 
 
 _BESIDE = QPoint(18, 12)  # of the pen, so that its next move chooses nothing
@@ -300,18 +300,18 @@ class _Offer(QMenu):
 class Naming(QObject):
     """Shows a short menu after every line without a name. Esc leaves it without one."""
 
-    def __init__(self, document: Document, canvas: Canvas, edits: ElementEdits) -> None:
+    def __init__(self, services: Services, canvas: Canvas, edits: ElementEdits) -> None:
         super().__init__(canvas)
-        self._document, self._canvas, self._edits = document, canvas, edits
+        self._services, self._canvas, self._edits = services, canvas, edits
         self.menu: QMenu | None = None
         self._fit: FitResult | None = None  # the last camera of this frame
         self._looking = LatestOnlyTask(
-            self, lambda text: document.say(text, "error"), priority=Priority.URGENT
+            self, lambda text: services.say(text, "error"), priority=Priority.URGENT
         )
         canvas.editor.lineFinished.connect(self._ask_soon)
-        document.store.watch(select.frame, self._forget)
-        document.foresight.changed.connect(self._learn)
-        document.store.watch(select.blind, self._forget)
+        services.store.watch(select.frame, self._forget)
+        services.prediction.changed.connect(self._learn)
+        services.store.watch(select.blind, self._forget)
 
     def _forget(self) -> None:
         self._fit = None
@@ -319,13 +319,13 @@ class Naming(QObject):
 
     def _learn(self) -> None:
         """A camera stays known while the line that was just drawn makes another one."""
-        insight = self._document.foresight.insight
+        insight = self._services.prediction.insight
         if insight is not None:
             self._fit = insight.fit
 
     def _ask_soon(self, class_name: str) -> None:
-        document = self._document
-        polyline, size = document.state.annotation.get(class_name), document.state.picture_size
+        services = self._services
+        polyline, size = services.state.annotation.get(class_name), services.state.picture_size
         if polyline is None or size is None:
             return
         drawn = points_px(polyline, size)
@@ -334,7 +334,7 @@ class Naming(QObject):
             # Once the click that finished the line is through: a menu would take its release.
             QTimer.singleShot(0, self, lambda: self._ask(class_name, drawn, likely))
             return
-        field, known = document.state.field, self._named(size)
+        field, known = services.state.field, self._named(size)
         self._looking.start(
             lambda _: likely_classes(field, drawn, size, known),
             lambda names: self._ask(class_name, drawn, self._likely(drawn, names)),
@@ -342,27 +342,27 @@ class Naming(QObject):
 
     @property
     def _camera_known(self) -> bool:
-        allowed = self._document.foresight.allowed
+        allowed = self._services.prediction.allowed
         return allowed and self._fit is not None and self._fit.camera is not None
 
     def _named(self, size: tuple[int, int]) -> dict[str, FloatArray]:
         """The elements of the frame that have names, px."""
-        document = self._document
+        services = self._services
         return {
             p.class_name: np.asarray(points_px(p, size))
-            for p in document.state.annotation
-            if p.points and document.state.field.element(p.class_name) is not None
+            for p in services.state.annotation
+            if p.points and services.state.field.element(p.class_name) is not None
         }
 
     def _ask(self, class_name: str, drawn: FloatArray, likely: tuple[str, ...]) -> None:
-        document = self._document
+        services = self._services
         if (
-            document.state.selected_class != class_name
-            or document.state.annotation.get(class_name) is None
+            services.state.selected_class != class_name
+            or services.state.annotation.get(class_name) is None
         ):
             return  # the frame was left, or the line taken back
-        field = document.state.field
-        keys = element_keys(field, document.state.keymap)
+        field = services.state.field
+        keys = element_keys(field, services.state.keymap)
         menu = self.menu = _Offer(keys, partial(self._name, class_name), self._canvas)
         menu.setObjectName("namingMenu")
         menu.setAccessibleName(tr("What is this line?"))
@@ -382,39 +382,39 @@ class Naming(QObject):
         menu.popup(self._canvas.viewport().mapToGlobal(at))
 
     def _name(self, class_name: str, name: str) -> None:
-        document = self._document
+        services = self._services
         drawn, title = (
-            document.state.annotation.get(class_name),
-            tr(document.state.field.title_of(name)),
+            services.state.annotation.get(class_name),
+            tr(services.state.field.title_of(name)),
         )
-        if document.state.selected_class != class_name or drawn is None:
+        if services.state.selected_class != class_name or drawn is None:
             return
-        if document.state.annotation.get(name) is not None:  # the two would be swapped
-            document.say(tr("{element} is annotated already", element=title), "warning")
+        if services.state.annotation.get(name) is not None:  # the two would be swapped
+            services.say(tr("{element} is annotated already", element=title), "warning")
             return
         self._edits.change_class(name)
         unclear = name in self._canvas.editor.curved and len(drawn.points) < _CURVE
-        document.selecting.select_class(
+        services.selection.select_class(
             name if unclear else None, continues=unclear
         )  # or a line comes next
         if unclear:
             why = tr("{element} is a curve, which two points do not show: click on", element=title)
-            document.say(why, "warning")
+            services.say(why, "warning")
 
     def _likely(self, drawn: FloatArray, by_views: tuple[str, ...] = ()) -> tuple[str, ...]:
         """By the camera that is known, else by what the frame before had there and by the usual
         views of such a field; then by what usually comes next."""
-        document = self._document
-        field, annotation = document.state.field, document.state.annotation
+        services = self._services
+        field, annotation = services.state.field, services.state.annotation
         there = {p.class_name for p in annotation}
         if len(drawn) < _CURVE:
             there |= self._canvas.editor.curved
-        size = document.state.picture_size or (2, 2)
-        before, last = self._canvas.editor.seen_before, document.state.selection.last_finished
+        size = services.state.picture_size or (2, 2)
+        before, last = self._canvas.editor.seen_before, services.state.selection.last_finished
         following = next_element(field, annotation, last, before)
         usual = [following] if following is not None and following not in there else []
         usual += [e.name for e in field.elements if e.name not in there and not e.optional]
-        fit = self._fit if document.foresight.allowed else None
+        fit = self._fit if services.prediction.allowed else None
         if fit is not None and fit.camera is not None:
             # All that it has in sight, also what it knows too little of for a ghost: which of them
             # a line is can be distinguished from much farther off.
@@ -428,14 +428,14 @@ class Naming(QObject):
 
     def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
         """Return what the frame before had and this one has not yet, px of this picture."""
-        document = self._document
-        if document.state.workspace is None:
+        services = self._services
+        if services.state.workspace is None:
             return {}
-        found = annotated_before(document.state.workspace, document.state.frame_index)
+        found = annotated_before(services.state.workspace, services.state.frame_index)
         if found is None:
             return {}
         return {
             p.class_name: [np.asarray(points_px(p, size))]
             for p in found[1]
-            if p.class_name not in there and document.state.field.element(p.class_name) is not None
+            if p.class_name not in there and services.state.field.element(p.class_name) is not None
         }

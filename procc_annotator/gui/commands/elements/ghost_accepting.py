@@ -15,8 +15,8 @@ from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.messages import Level
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import (
     TranslatableText,
     tr,
@@ -57,10 +57,10 @@ class GhostAccepting(QObject):
     accepted = Signal(tuple)  # the classes that are elements now
 
     def __init__(
-        self, document: Document, window: QWidget, settings: Settings, parent: QObject
+        self, services: Services, window: QWidget, settings: Settings, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._window = window
         self._settings = settings
         self._looking = LatestOnlyTask(
@@ -68,8 +68,8 @@ class GhostAccepting(QObject):
         )
         self._asked: _Accepting | None = None  # what is looked for
         self._where = ""  # the frame that is being left
-        document.ghosts.changed.connect(self._look)
-        document.store.events.aboutToLeave.connect(self.finish)
+        services.ghosts.changed.connect(self._look)
+        services.store.events.aboutToLeave.connect(self.finish)
 
     @property
     def least_support(self) -> float:
@@ -105,7 +105,7 @@ class GhostAccepting(QObject):
 
     def find_and_accept(self, ghost: Ghost) -> None:
         """The same for a ghost whose points may not be found yet."""
-        ghosts = self._document.ghosts
+        ghosts = self._services.ghosts
         if ghost.name in self.waiting:
             return  # it is under way
         self.finish()
@@ -124,13 +124,13 @@ class GhostAccepting(QObject):
         Args:
             then: called after that if their frame is still on screen and holds anything.
         """
-        document = self._document
+        services = self._services
         if self._asked is not None and self._asked.all:
             return  # they are under way
-        before, one_more = document.state.annotation, self.busy
+        before, one_more = services.state.annotation, self.busy
         self.finish()
-        document.store.events.aboutToLeave.emit()
-        if document.state.annotation is not before:
+        services.store.events.aboutToLeave.emit()
+        if services.state.annotation is not before:
             # The ghosts of the better camera are examined before they are accepted.
             self._say(
                 tr("the ghost is accepted: accept the ghosts of the new fit")
@@ -138,7 +138,7 @@ class GhostAccepting(QObject):
                 else tr("what was being drawn is finished: accept the ghosts of the new fit")
             )
             return
-        self._find(document.ghosts.known, everything=True, then=then)
+        self._find(services.ghosts.known, everything=True, then=then)
 
     def _accept_good(self, made_for: FrameAnalysis, found: AllPoints) -> bool:
         """Make those elements whose lines are seen well enough; whether there are some."""
@@ -212,25 +212,25 @@ class GhostAccepting(QObject):
 
     def why_outdated(self, made_for: FrameAnalysis) -> str:
         """Return why an insight is not the one on screen any more; empty while it is."""
-        document = self._document
-        if document.ghosts.insight is made_for:
+        services = self._services
+        if services.ghosts.insight is made_for:
             return ""
-        if document.state.annotation is not made_for.annotation:
+        if services.state.annotation is not made_for.annotation:
             return tr("the frame was edited meanwhile")
         return tr("the camera is another one meanwhile")
 
     def _commit(
         self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText
     ) -> bool:
-        document = self._document
+        services = self._services
         if (
-            not document.editing.begin_edit()
-            or document.state.annotation is not made_for.annotation
+            not services.editing.begin_edit()
+            or services.state.annotation is not made_for.annotation
         ):
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
         label = translatable("accept {what}", what=what)
-        return document.editing.commit_edit(label, annotation, kind)
+        return services.editing.commit_edit(label, annotation, kind)
 
     # --- looking for points ---------------------------------------------------------------
 
@@ -247,19 +247,19 @@ class GhostAccepting(QObject):
         then: Callable[[], None] = _nothing,
     ) -> bool:
         """Have the points of ghosts found in the background; most are known already."""
-        document, field = self._document, self._document.state.sized_field
-        made_for = document.ghosts.insight
-        if not ghosts or made_for is None or not document.editing.begin_edit():
+        services, field = self._services, self._services.state.sized_field
+        made_for = services.ghosts.insight
+        if not ghosts or made_for is None or not services.editing.begin_edit():
             return False  # somebody else has the frame, or nobody can edit it: that is said
         picture, size, frame = (
-            document.walk.picture,
-            document.state.picture_size,
-            document.state.frame,
+            services.navigator.picture,
+            services.state.picture_size,
+            services.state.frame,
         )
         if picture is None or size is None or frame is None:
             self._say(tr("no ghost was accepted: there is no picture to look for their lines in"))
             return False
-        known = {ghost.name: document.ghosts.found(ghost.name) for ghost in ghosts}
+        known = {ghost.name: services.ghosts.found(ghost.name) for ghost in ghosts}
 
         def work(control: JobControl) -> AllPoints:
             found = []
@@ -302,11 +302,11 @@ class GhostAccepting(QObject):
         self._end()
         if asked.all:
             none = tr("no ghost was accepted: {why}", why=why) if why else ""
-            self._document.say(none or tr("no ghost was accepted"), level)
+            self._services.say(none or tr("no ghost was accepted"), level)
             return
         title = self._title(asked.ghosts[0].name)
         one = tr("{element} is not accepted: {why}", element=title, why=why) if why else ""
-        self._document.say(one or tr("{element} is not accepted", element=title), level)
+        self._services.say(one or tr("{element} is not accepted", element=title), level)
 
     def _look(self) -> None:
         """Drop a search whose clicks, field or model are no longer there."""
@@ -341,7 +341,7 @@ class GhostAccepting(QObject):
         return tr(self._said_title(name))
 
     def _said_title(self, name: str) -> TranslatableText:
-        return translatable(self._document.state.field.title_of(name))
+        return translatable(self._services.state.field.title_of(name))
 
     def _say(self, text: str) -> None:
-        self._document.say(text)
+        self._services.say(text)

@@ -13,7 +13,7 @@ from procc_annotator.gui.canvas.view import ViewPlace
 from procc_annotator.gui.commands.elements.ghost_accepting import GhostAccepting
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.overlay_predictions import ghost_extent, nearest_ghost
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
@@ -31,17 +31,17 @@ class _Before:
     frame: Frame | None
 
 
-class GhostTasks(QObject):
-    """Commands on the document's ghosts, and the flight of the canvas from one to the next."""
+class GhostCommands(QObject):
+    """Commands on the state's ghosts, and the flight of the canvas from one to the next."""
 
     def __init__(
-        self, document: Document, canvas: Canvas, settings: Settings, parent: QObject
+        self, services: Services, canvas: Canvas, settings: Settings, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._document = document
-        self._ghosts = document.ghosts
+        self._services = services
+        self._ghosts = services.ghosts
         self._canvas = canvas
-        self.accepting = GhostAccepting(document, canvas, settings, self)
+        self.accepting = GhostAccepting(services, canvas, settings, self)
         self._before: _Before | None = None
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
@@ -49,8 +49,8 @@ class GhostTasks(QObject):
         self._ghosts.changed.connect(self._follow)
         self._ghosts.ended.connect(lambda: self._say(tr("that was the last ghost")))
         self.accepting.accepted.connect(self._go_on)
-        document.store.watch(select.selection, self._follow_selection)
-        document.store.watch(select.frame, self._forget)
+        services.store.watch(select.selection, self._follow_selection)
+        services.store.watch(select.frame, self._forget)
 
     # --- the walk -------------------------------------------------------------------------
 
@@ -73,17 +73,17 @@ class GhostTasks(QObject):
 
     def _why_none(self) -> str:
         """Return why there is no ghost to go to or to accept; empty if there is one."""
-        foresight, insight = self._document.foresight, self._ghosts.insight
-        if self._document.state.frame is None:
+        foresight, insight = self._services.prediction, self._ghosts.insight
+        if self._services.state.frame is None:
             return tr("open a folder of pictures first")
         if off := self._why_off():
             return off
         if insight is None:
             coming = tr("the camera is being fitted: ghosts come in a moment")
             return coming if foresight.working else tr("no ghosts: no camera could be fitted")
-        if insight.fit.camera is None and self._document.proposals.working:
+        if insight.fit.camera is None and self._services.proposals.working:
             return tr("no ghosts: the camera is looked for in the picture")
-        if insight.fit.camera is None and not self._document.state.annotation.annotated:
+        if insight.fit.camera is None and not self._services.state.annotation.annotated:
             return self._why_not_found()
         if insight.fit.camera is None:
             why = insight.fit.failure or tr("no camera fits yet")
@@ -94,10 +94,10 @@ class GhostTasks(QObject):
 
     def _why_not_found(self) -> str:
         """Nothing is annotated, and no camera was found without that."""
-        document = self._document
-        if document.proposals.here is None:
+        services = self._services
+        if services.proposals.here is None:
             return tr("no ghosts: annotate three or four elements, a camera follows from them")
-        if document.sequence.value is None:
+        if services.sequence.value is None:
             return tr("no camera was found in this picture: draw three or four elements")
         return tr(
             "no camera was found in this picture: draw three or four elements, or follow the shot"
@@ -106,12 +106,12 @@ class GhostTasks(QObject):
 
     def _why_off(self) -> str:
         """Return why no ghosts are shown, whatever the clicks say; empty if they are."""
-        live_fit = self._document.live_fit
-        if barred := self._document.blind_lock.no_fit:
+        live_fit = self._services.live_fit
+        if barred := self._services.blind_lock.no_fit:
             return tr("no ghosts: {why}", why=barred)
         if not live_fit.allowed:
             return tr("no ghosts in blind mode, until the frame is committed (Ctrl+Enter)")
-        if not self._document.foresight.wanted:
+        if not self._services.prediction.wanted:
             return tr("no ghosts: the live fit is off (Ctrl+T)")
         if not self._ghosts.wanted:
             return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")
@@ -147,12 +147,12 @@ class GhostTasks(QObject):
             self._end()
 
     def _show(self, ghost: Ghost) -> None:
-        document = self._document
+        services = self._services
         if self._before is None:
             self._before = _Before(
                 self._canvas.place,
-                document.state.selected_class,
-                document.state.frame,
+                services.state.selected_class,
+                services.state.frame,
             )
         self._shown = ghost.name
         self._choose(ghost.name)
@@ -160,7 +160,7 @@ class GhostTasks(QObject):
 
     def _choose(self, name: str | None) -> None:
         self._choosing = True
-        self._document.selecting.select_class(name)
+        self._services.selection.select_class(name)
         self._choosing = False
 
     def _end(self) -> None:
@@ -172,16 +172,16 @@ class GhostTasks(QObject):
 
     def _chosen_before(self, before: _Before | None) -> str | None:
         """The element that was chosen before the walk."""
-        if before is None or before.frame != self._document.state.frame:
+        if before is None or before.frame != self._services.state.frame:
             return None
         return before.selected
 
     def _go_on(self, accepted: tuple[str, ...]) -> None:
         """Ghosts are elements now: they are done."""
-        document, walking = self._document, self._ghosts.walking
-        if document.state.selected_class in accepted:
+        services, walking = self._services, self._ghosts.walking
+        if services.state.selected_class in accepted:
             self._choose(self._chosen_before(self._before))
-        if walking and len(accepted) == 1 and not document.state.options.auto_advance:
+        if walking and len(accepted) == 1 and not services.state.options.auto_advance:
             self._leave_here()  # otherwise the walk goes on: this ghost is none any more
 
     def _leave_here(self) -> None:
@@ -192,14 +192,14 @@ class GhostTasks(QObject):
     def _leave_for_drawing(self) -> None:
         if not self._canvas.editor.drawing:
             return
-        if self._document.state.selected_class in self.accepting.waiting:
+        if self._services.state.selected_class in self.accepting.waiting:
             self.accepting.drop(tr("it is being drawn by hand"))
         if self._ghosts.walking:
             self._leave_here()
 
     def _follow_selection(self) -> None:
         """Anyone who chooses another element means that one."""
-        chosen = self._document.state.selected_class
+        chosen = self._services.state.selected_class
         if self._choosing or not self._ghosts.walking or chosen in (None, self._shown):
             return
         if self._ghosts.named(chosen) is not None:
@@ -217,7 +217,7 @@ class GhostTasks(QObject):
     def key(self, name: str, shift: bool) -> bool:
         """Take Enter, Shift+Enter, Escape or Undo while nothing is drawn; False if it is not meant
         for ghosts."""
-        document, ghosts = self._document, self._ghosts
+        services, ghosts = self._services, self._ghosts
         if name in ("Escape", "Undo") and self.accepting.busy:
             self.accepting.drop(tr("taken back") if name == "Undo" else "")
             return True
@@ -226,10 +226,10 @@ class GhostTasks(QObject):
             return True
         if name != "Enter":
             return False
-        if shift and document.state.frame is not None:
+        if shift and services.state.frame is not None:
             selected, waiting = (
-                document.state.selected_class,
-                document.state.annotation.unconfirmed,
+                services.state.selected_class,
+                services.state.annotation.unconfirmed,
             )
             if any(polyline.class_name == selected for polyline in waiting):
                 return False  # it confirms that element
@@ -263,41 +263,41 @@ class GhostTasks(QObject):
     def accept_and_go_on(self) -> None:
         """Accept all ghosts and show the next frame: going through a shot, one key a frame. A frame
         that has none left because it is annotated is passed over."""
-        document = self._document
-        if self._why_none() and document.state.annotation.annotated and not self._why_off():
-            document.walk.next_frame()
+        services = self._services
+        if self._why_none() and services.state.annotation.annotated and not self._why_off():
+            services.navigator.next_frame()
         elif why_none := self._why_none():
             self._say(why_none)
         else:
-            self.accepting.accept_all(then=document.walk.next_frame)
+            self.accepting.accept_all(then=services.navigator.next_frame)
 
     # --- not visible here -----------------------------------------------------------------
 
     def say_not_visible(self) -> None:
         """The current ghost, or the chosen element, cannot be seen in this frame; once more takes
         it back."""
-        document = self._document
+        services = self._services
         current = self._ghosts.current
         if self._ghosts.walking and current is None:
             self._say(self._why_none())  # what was chosen before the walk is not meant
             return
-        name = current.name if current is not None else document.state.selected_class
-        if document.state.frame is None or name is None:
+        name = current.name if current is not None else services.state.selected_class
+        if services.state.frame is None or name is None:
             off = self._why_off()
             self._say(tr("{off}; choose an element first", off=off) if off else tr(_CHOOSE_FIRST))
             return
-        hidden = name in document.review.not_visible(document.state.frame.name)
+        hidden = name in services.review.not_visible(services.state.frame.name)
         self.set_not_visible(name, not hidden)
 
     def set_not_visible(self, name: str, hidden: bool) -> None:
         """Say that an element cannot be seen in this frame, or that it can after all."""
-        document, title = self._document, self._title(name)
-        if document.state.frame is None or not document.editing.begin_edit():
+        services, title = self._services, self._title(name)
+        if services.state.frame is None or not services.editing.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
-        if hidden and name in document.state.annotation.annotated:  # maybe only since just now
+        if hidden and name in services.state.annotation.annotated:  # maybe only since just now
             self._say(tr("{title} is annotated here: delete it first (Ctrl+Delete)", title=title))
             return
-        document.review.set_not_visible(document.state.frame.name, name, hidden)
+        services.review.set_not_visible(services.state.frame.name, name, hidden)
         self._say(
             tr("{title} is not visible here; Ctrl+. takes it back", title=title)
             if hidden
@@ -314,7 +314,7 @@ class GhostTasks(QObject):
 
     def not_visible(self) -> tuple[str, ...]:
         """The elements said to be not visible in this frame, the latest last."""
-        frame, database = self._document.state.frame, self._document.review.database
+        frame, database = self._services.state.frame, self._services.review.database
         if frame is None or database is None:
             return ()
         marks = database.is_marked_not_visible(frame.name)
@@ -323,10 +323,10 @@ class GhostTasks(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _title(self, name: str) -> str:
-        return tr(self._document.state.field.title_of(name))
+        return tr(self._services.state.field.title_of(name))
 
     def _say(self, text: str) -> None:
-        self._document.say(text)
+        self._services.say(text)
 
 
 def _passed_end(left: int, *, last: bool) -> str:

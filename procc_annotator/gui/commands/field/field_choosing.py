@@ -13,7 +13,7 @@ from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.gui.messages import Bar, as_sentence
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr
 
 
@@ -64,13 +64,13 @@ class FieldChoosing(QObject):
     """Slots of the menu File > Field; fills it, and the bar."""
 
     def __init__(
-        self, document: Document, settings: Settings, bar: FieldBar, parent: QWidget
+        self, services: Services, settings: Settings, bar: FieldBar, parent: QWidget
     ) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._settings = settings
         self._parent = parent
-        self._choice = document.field_choice
+        self._choice = services.field_choice
         self._bar = bar
         self._switch_keys = ""
         self._group = QActionGroup(self)
@@ -78,8 +78,8 @@ class FieldChoosing(QObject):
         self._menu: QMenu | None = None
         self._choice.own_files = settings.get(OWN_FIELDS)
         self._choice.changed.connect(self._refresh_bar)
-        document.store.watch(select.field, self._note_own)
-        document.store.watch(select.frame, self._refresh_bar)
+        services.store.watch(select.field, self._note_own)
+        services.store.watch(select.frame, self._refresh_bar)
         bar.switch_chosen.connect(self._choice.switch)
         bar.left.connect(self._choice.leave)
 
@@ -100,7 +100,7 @@ class FieldChoosing(QObject):
         for action in self._own:
             menu.removeAction(action)
             action.deleteLater()
-        field = self._document.state.field
+        field = self._services.state.field
         shipped = field.source is None or is_builtin_field(field.source)
         shown = field.name if shipped or field.source is None else field.source.absolute()
         paths = self._settings.get(OWN_FIELDS)
@@ -145,7 +145,7 @@ class FieldChoosing(QObject):
 
     def _note_own(self) -> None:
         """A file of the user's own is offered from now on, also to datasets whose classes fit."""
-        source = self._document.state.field.source
+        source = self._services.state.field.source
         if source is not None and not is_builtin_field(source):
             self._settings.put_first(OWN_FIELDS, source.absolute())
             self._choice.own_files = self._settings.get(OWN_FIELDS)
@@ -157,7 +157,7 @@ class FieldChoosing(QObject):
                 tr(
                     "{problem}; the field stays as it was: {field}",
                     problem=choice.problem,
-                    field=tr(self._document.state.field.title),
+                    field=tr(self._services.state.field.title),
                 )
             )
             return
@@ -166,7 +166,7 @@ class FieldChoosing(QObject):
             said = tr(
                 "Is this {field}? The classes annotated here are those of {field}", field=title
             )
-            self._bar.ask(said, title, tr(self._document.state.field.title), self._switch_keys)
+            self._bar.ask(said, title, tr(self._services.state.field.title), self._switch_keys)
             return
         mismatch = choice.mismatch
         if mismatch is None:

@@ -34,7 +34,7 @@ from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.panels.widgets import RangeBox, note_label, show_note
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, word
 
@@ -317,32 +317,32 @@ class FieldDimensionsTask(DialogTask):
 
     dialog: FieldDimensionsDialog | None
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(document, parent)
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        super().__init__(services, parent)
         self._before: dict[str, float] = {}
         self._lines_before = MEASURED_LINE
         self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
-        document.store.watch(select.field, self._leave_other_field)
+        services.store.watch(select.field, self._leave_other_field)
 
     def ask(self) -> None:
         """Show the dialog; the picture behind it goes by what is entered."""
-        document = self._document
-        if opened_frame(document) is None:
+        services = self._services
+        if opened_frame(services) is None:
             return
-        is_open = any(d.is_open for d in document.state.field.dimensions)
-        if not is_open and not has_off_centre_markings(document.state.field):
-            title = tr(document.state.field.title)
-            document.say(tr("the rules fix every dimension of the field {field}", field=title))
+        is_open = any(d.is_open for d in services.state.field.dimensions)
+        if not is_open and not has_off_centre_markings(services.state.field):
+            title = tr(services.state.field.title)
+            services.say(tr("the rules fix every dimension of the field {field}", field=title))
             return
         if self.dialog is not None:
             self.dialog.raise_()
         else:
-            self._field_name = document.state.field.name
-            self._before = {d.name: d.value for d in document.state.field.dimensions}
-            self._lines_before = document.state.field.lines
-            self.dialog = dialog = FieldDimensionsDialog(self._parent, document.state.field)
+            self._field_name = services.state.field.name
+            self._before = {d.name: d.value for d in services.state.field.dimensions}
+            self._lines_before = services.state.field.lines
+            self.dialog = dialog = FieldDimensionsDialog(self._parent, services.state.field)
             dialog.chosen.connect(self._settled.start)
             dialog.estimateWanted.connect(self.estimate)
             dialog.stopWanted.connect(self.stop)
@@ -353,15 +353,15 @@ class FieldDimensionsTask(DialogTask):
 
     def estimate(self) -> None:
         """Find the dimensions from all frames without a stadium of their own, in the background."""
-        document, dialog = self._document, self.dialog
-        workspace = document.state.workspace
+        services, dialog = self._services, self.dialog
+        workspace = services.state.workspace
         if dialog is None or workspace is None or self._work.running:
             return
-        revealed = document.state.revealed_frames  # what their cameras say may be known
+        revealed = services.state.revealed_frames  # what their cameras say may be known
         meant = {
             frame.name: partial(workspace.read, i)
             for i, frame in enumerate(workspace.frames)
-            if stadium_of(document.state.field, frame.name) is None
+            if stadium_of(services.state.field, frame.name) is None
         }
         read = {name: own for name, own in meant.items() if revealed is None or name in revealed}
         if meant and not read:
@@ -370,9 +370,9 @@ class FieldDimensionsTask(DialogTask):
             )
             return
         hidden = len(meant) - len(read)
-        field, size = document.state.field, document.state.picture_size or document.state.setup.size
+        field, size = services.state.field, services.state.picture_size or services.state.setup.size
         # A homography knows no zoom that could be held against the field.
-        model = document.live_fit.model if document.live_fit.model != "H" else "R"
+        model = services.live_fit.model if services.live_fit.model != "H" else "R"
 
         def work(control: JobControl) -> Estimate:
             return estimate_dimensions(
@@ -405,7 +405,7 @@ class FieldDimensionsTask(DialogTask):
         if self.dialog is None or self.dialog.breaks_a_rule:  # the field stays as it was
             return
         dialog, values = self.dialog, self._before | self.dialog.values
-        self._document.field_choice.resize(values, lines=dialog.lines, keep=keep)
+        self._services.field_choice.resize(values, lines=dialog.lines, keep=keep)
 
     def _keep(self) -> None:
         self._use(keep=True)
@@ -413,12 +413,12 @@ class FieldDimensionsTask(DialogTask):
 
     def _take_back(self) -> None:
         self._leave()
-        choice = self._document.field_choice
+        choice = self._services.field_choice
         choice.resize(self._before, lines=self._lines_before, keep=False)
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""
-        if self.dialog is not None and self._document.state.field.name != self._field_name:
+        if self.dialog is not None and self._services.state.field.name != self._field_name:
             self._leave()
 
     def _leave(self) -> None:

@@ -35,7 +35,7 @@ from procc_annotator.gui.messages import as_sentence, ask_to_replace
 from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
 from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, word
@@ -242,8 +242,8 @@ class ViewGrouping(DialogTask):
 
     dialog: ViewDialog | None
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(document, parent, priority=Priority.URGENT)
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        super().__init__(services, parent, priority=Priority.URGENT)
         self._names: tuple[str, ...] = ()
         self._writing = LatestOnlyTask(
             self, lambda text: self._fail(as_sentence(text)), priority=Priority.URGENT
@@ -254,8 +254,8 @@ class ViewGrouping(DialogTask):
     def ask(self) -> None:
         """Show the dialog, with a pattern that fits the names where there is one."""
         if (
-            opened_frame(self._document) is None
-            or (workspace := self._document.state.workspace) is None
+            opened_frame(self._services) is None
+            or (workspace := self._services.state.workspace) is None
         ):
             return
         self._leave()
@@ -282,7 +282,7 @@ class ViewGrouping(DialogTask):
     # --- inside ---
 
     def _what_is_there(self) -> str:
-        groups = self._document.landmarks.groups
+        groups = self._services.landmarks.groups
         if not groups.frames:
             return ""
         return tr("{file} is there already: {sizes}.", file=VIEWS_FILE, sizes=_sizes(groups))
@@ -309,7 +309,7 @@ class ViewGrouping(DialogTask):
             self.dialog.show_preview(preview)
 
     def _write(self, groups: ViewGroups, known: bytes | None) -> None:
-        dialog, workspace = self.dialog, self._document.state.workspace
+        dialog, workspace = self.dialog, self._services.state.workspace
         if dialog is None or workspace is None:
             return
         path = workspace.folder / VIEWS_FILE
@@ -329,10 +329,10 @@ class ViewGrouping(DialogTask):
         self._writing.start(lambda _: replace_views(path, groups, known), written)
 
     def _tell_written(self, groups: ViewGroups) -> None:
-        document = self._document
-        document.landmarks.read_again()
+        services = self._services
+        services.landmarks.read_again()
         said = tr("{file} groups {sizes} from now on", file=VIEWS_FILE, sizes=_sizes(groups))
-        document.say(said)
+        services.say(said)
         self._leave()
 
     def _leave(self) -> None:

@@ -20,7 +20,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.commands.dialog_task import DialogTask
 from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance
@@ -44,7 +44,7 @@ class ExportAs(DialogTask):
         """Show the dialog."""
         from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
 
-        if opened_frame(self._document) is None:
+        if opened_frame(self._services) is None:
             return
         self._leave()
         self.dialog = dialog = ExportDialog(self._parent)
@@ -57,12 +57,12 @@ class ExportAs(DialogTask):
         from procc_annotator.report.conversion import export_as
         from procc_annotator.report.conversion_output import ConversionRequest
 
-        document, dialog = self._document, self.dialog
+        services, dialog = self._services, self.dialog
         if dialog is None:
             return
         unsaved = tr("Not everything could be saved: what is on disk goes.")
-        said = "" if document.editing.save_now() else unsaved
-        review, reopen = document.review, document.opening.reopener()
+        said = "" if services.editing.save_now() else unsaved
+        review, reopen = services.review, services.opening.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = ConversionRequest(
             dialog.format.name,
@@ -86,7 +86,7 @@ class ExportAs(DialogTask):
             self._fail(tr("Cancelled; files that were written already are still there."))
 
     def _ask_path(self) -> None:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if self.dialog is not None and workspace is not None:
             out = self.dialog.ask_path(workspace.folder.parent)
             if out is not None:
@@ -99,7 +99,7 @@ class ExportAs(DialogTask):
         super()._leave()
 
     def _tell_cut_short(self) -> None:
-        self._document.say(
+        self._services.say(
             tr("export: cancelled; files that were written already are still there"), "warning"
         )
 
@@ -142,29 +142,29 @@ class _Saved:
 
 
 class FitSaving(QObject):
-    """Slot of the action that saves the fit; what came of it is a message of the document."""
+    """Slot of the action that saves the fit; what came of it is a message."""
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(self, services: Services) -> None:
+        super().__init__(services)
+        self._services = services
 
     def save(self) -> None:
         """Write the fit on screen into the dataset's folder of fits, in the background."""
-        document = self._document
-        frame, workspace = opened_frame(document), document.state.workspace
-        insight = document.live_fit.insight
+        services = self._services
+        frame, workspace = opened_frame(services), services.state.workspace
+        insight = services.live_fit.insight
         if frame is None or workspace is None:
             return
         if insight is None or insight.fit.camera is None:
-            document.say(self._why_none())
+            services.say(self._why_none())
             return
-        if not document.editing.begin_edit():
+        if not services.editing.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
-        if document.live_fit.insight is not insight:
-            document.say(tr("the fit is worked out again: save it in a moment"))
+        if services.live_fit.insight is not insight:
+            services.say(tr("the fit is worked out again: save it in a moment"))
             return
-        if document.state.picture_size != insight.fit.size:
-            document.say(
+        if services.state.picture_size != insight.fit.size:
+            services.say(
                 tr(
                     "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
                     " size; not saved",
@@ -176,14 +176,14 @@ class FitSaving(QObject):
         folder = fitted_folder(workspace.folder)
         loaded = [
             (source, source.files)
-            for source in document.state.sources
+            for source in services.state.sources
             if source.files is not None and _same(source.files.path, folder)
         ]
         left_open = ill_conditioned_reason(insight.fit)
         annotation, fit, field = (
             insight.annotation,
             insight.fit,
-            document.judge.frame_setup.field.described,
+            services.scorer.frame_setup.field.described,
         )
 
         def work(control: JobControl) -> _Saved:
@@ -200,18 +200,18 @@ class FitSaving(QObject):
         run_in_background(
             work,
             on_result=self._tell,
-            on_error=lambda text: document.say(text, "error"),
+            on_error=lambda text: services.say(text, "error"),
             owner=self,
             priority=Priority.IMMEDIATE,
         )
 
     def _tell(self, saved: _Saved) -> None:
-        document = self._document
+        services = self._services
         for source, cameras in saved.again:
-            if source in document.state.sources:
-                document.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
+            if source in services.state.sources:
+                services.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
         if saved.problem:
-            document.say(
+            services.say(
                 tr(
                     "saved as {path}, but the loaded cameras could not be read again: {problem}",
                     path=saved.path,
@@ -222,16 +222,16 @@ class FitSaving(QObject):
             return
         said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
         if saved.left_open:
-            document.say(
+            services.say(
                 tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
                 "warning",
             )
         else:
-            document.say(said)
+            services.say(said)
 
     def _why_none(self) -> str:
-        live = self._document.live_fit
-        if barred := self._document.blind_lock.no_fit:
+        live = self._services.live_fit
+        if barred := self._services.blind_lock.no_fit:
             return barred
         if not live.wanted:
             return tr("the live fit is off (Ctrl+T)")
@@ -257,8 +257,8 @@ class Exporter:
     screen is not shared with the thread that writes.
     """
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        self._document = document
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        self._services = services
         self._parent = parent
 
     def ask_annotations(self) -> None:
@@ -268,7 +268,7 @@ class Exporter:
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
         if why := self._why_none_scored():
-            self._document.say(why, "warning")
+            self._services.say(why, "warning")
             return
         self._ask("jac.csv", tr("Table (*.csv);;JSON (*.json)"), self.write_scores)
 
@@ -278,17 +278,17 @@ class Exporter:
 
     def ask_overview(self) -> None:
         """Ask for a file and write the status, counts and time of every frame there."""
-        asked = self._document, self._parent, tr("Export the overview")
+        asked = self._services, self._parent, tr("Export the overview")
         if (path := ask_where(*asked, "overview.csv", tr("Table (*.csv)"))) is not None:
             self.write_overview(path)
 
     def write_overview(self, path: Path) -> None:
         """Write the status, counts and time of every frame as CSV."""
-        document = self._document
-        workspace, database = document.state.workspace, document.review.database
-        document.review.note_activity()
-        scores = dict(document.auditing.frame_scores.items())
-        scoring = document.set_scores.running
+        services = self._services
+        workspace, database = services.state.workspace, services.review.database
+        services.review.note_activity()
+        scores = dict(services.scoring.frame_scores.items())
+        scoring = services.dataset_scores.running
 
         def work(control: JobControl) -> int:
             rows: list[OverviewRow] = []
@@ -307,11 +307,11 @@ class Exporter:
             more = tr("the set was being scored still: some frames have no JaC yet")
             return f"{done}; {more}" if scoring else done
 
-        write(document, work, said, again="export_overview")
+        write(services, work, said, again="export_overview")
 
     def write_provenance(self, path: Path) -> None:
         """Write the origin of every point of the set as JSON."""
-        review = self._document.review
+        review = self._services.review
         if review.database is not None:
             review.database.flush(5.0)
         database = review.database
@@ -333,12 +333,12 @@ class Exporter:
     def write_scores(self, path: Path) -> None:
         """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json; in
         blind mode of those that are committed."""
-        document = self._document
-        if document.state.active is not None and (why := self._why_none_scored()):
-            document.say(why, "warning")
+        services = self._services
+        if services.state.active is not None and (why := self._why_none_scored()):
+            services.say(why, "warning")
             return
-        scoring = Scoring(document.state.setup, (document.state.tau,), self._scored)
-        only = document.state.revealed_frames
+        scoring = Scoring(services.state.setup, (services.state.tau,), self._scored)
+        only = services.state.revealed_frames
         self._run(
             lambda workspace, progress: export_scores(
                 dataset_frames(workspace), path, scoring, progress, only=only
@@ -350,16 +350,16 @@ class Exporter:
     def _scored(self) -> CameraSet | None:
         """The cameras whose JaC is exported; None for fits, which are made from the very clicks
         they would be scored against."""
-        active = self._document.state.active
+        active = self._services.state.active
         return active.files if active is not None else None
 
     def _why_none_scored(self) -> str:
         """Return why no JaC can be exported; empty if it can."""
-        active = self._document.state.active
+        active = self._services.state.active
         if active is None:
             return tr("load cameras first: there is nothing to score")
         if self._scored is not None:
-            hidden = self._document.state.revealed_frames == frozenset()
+            hidden = self._services.state.revealed_frames == frozenset()
             none = tr("blind: no frame is committed yet, so there is no JaC to show")
             return none if hidden else ""
         return tr(
@@ -369,18 +369,18 @@ class Exporter:
         )
 
     def _ask(self, name: str, kinds: str, then: Callable[[Path], None]) -> None:
-        if (path := ask_where(self._document, self._parent, tr("Export"), name, kinds)) is not None:
+        if (path := ask_where(self._services, self._parent, tr("Export"), name, kinds)) is not None:
             then(path)
 
     def _run(self, work: Work, again: str) -> None:
-        document = self._document
-        if opened_frame(document) is None:
+        services = self._services
+        if opened_frame(services) is None:
             return
-        if not document.editing.save_now():
-            document.say(
+        if not services.editing.save_now():
+            services.say(
                 tr("not everything could be saved: the export has the last saved state"), "warning"
             )
-        reopen = document.opening.reopener()
+        reopen = services.opening.reopener()
 
         def export(control: JobControl) -> Exported:
             return work(reopen(), control.progress)
@@ -388,11 +388,11 @@ class Exporter:
         run_in_background(
             export,
             on_result=self._tell,
-            on_error=lambda text: document.say(text, "error", again),
-            on_progress=lambda done, total: document.say(
+            on_error=lambda text: services.say(text, "error", again),
+            on_progress=lambda done, total: services.say(
                 tr("exporting {done} / {total}", done=done, total=total)
             ),
-            owner=document,
+            owner=services,
         )
 
     def _tell(self, exported: Exported) -> None:
@@ -415,7 +415,7 @@ class Exporter:
                     problem=exported.problems[0],
                 )
             )
-        self._document.say("; ".join(told), "warning" if exported.problems else "info")
+        self._services.say("; ".join(told), "warning" if exported.problems else "info")
 
 
 def _what(exported: Exported) -> str:

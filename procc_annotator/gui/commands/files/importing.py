@@ -27,15 +27,15 @@ from procc_annotator.formats.annotations.label_map import (
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.commands.dialog_task import DialogTask
 from procc_annotator.gui.state.background import JobControl
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.editing.batch_edits import (
+    BatchEdits,
     EditedFrames,
     LeftAlone,
-    ManyEdits,
     edit_frame,
     imported,
     why_left_alone,
 )
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, translatable
 
@@ -77,13 +77,13 @@ class LabelLook:
     Made on the interface thread; its methods run in another one.
     """
 
-    def __init__(self, path: Path, fmt: str, document: Document) -> None:
+    def __init__(self, path: Path, fmt: str, services: Services) -> None:
         self._path, self._fmt = path, fmt
-        self._reopen = document.opening.reopener()
-        active = document.state.active
+        self._reopen = services.opening.reopener()
+        active = services.state.active
         self._cameras = None if active is None else active.files
         self._folder = (
-            folder_of_dataset(document.state.workspace.root) if document.state.workspace else None
+            folder_of_dataset(services.state.workspace.root) if services.state.workspace else None
         )
 
     def read(self, control: JobControl) -> LookedAt:
@@ -152,9 +152,9 @@ class AnnotationImporter(DialogTask):
     dialog: ImportDialog | None
     names: LabelDialog | None = None
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(document, parent)
-        self._edits = ManyEdits(document.store, document.editing, document.auditing, self)
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        super().__init__(services, parent)
+        self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
         self._edits.progressed.connect(self._advance)
         self._edits.finished.connect(self._finish)
 
@@ -162,8 +162,8 @@ class AnnotationImporter(DialogTask):
         """Show the dialog."""
         from procc_annotator.gui.commands.files.exchange_dialogs import ImportDialog
 
-        workspace = self._document.state.workspace
-        if opened_frame(self._document) is None or workspace is None:
+        workspace = self._services.state.workspace
+        if opened_frame(self._services) is None or workspace is None:
             return
         self._leave()
         self.dialog = dialog = ImportDialog(self._parent, str(workspace.folder))
@@ -174,11 +174,11 @@ class AnnotationImporter(DialogTask):
     def start(self, path: Path) -> None:
         """Read the annotations and take them over, as the dialog says."""
 
-        document, dialog = self._document, self.dialog
+        services, dialog = self._services, self.dialog
         if dialog is None:
             return
-        document.editing.save_now()
-        look = LabelLook(path, str(dialog.formats.currentData()), document)
+        services.editing.save_now()
+        look = LabelLook(path, str(dialog.formats.currentData()), services)
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
         self._work.start(look.read, self._ask_names, progress=dialog.advance)
@@ -227,7 +227,7 @@ class AnnotationImporter(DialogTask):
 
     def _take(self, read: ReadSet) -> None:
         """Begin to save what was read."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         assert workspace is not None
         self._imported = read
         self._unmatched = [name for name in read.frames if name not in workspace.index]
@@ -243,7 +243,7 @@ class AnnotationImporter(DialogTask):
             if why is not None:
                 return why
         change = imported(incoming, replacing=self._replace)
-        store, editing = self._document.store, self._document.editing
+        store, editing = self._services.store, self._services.editing
         return edit_frame(
             store, editing, index, change, translatable("import", "a step"), OriginKind.FILE
         )
@@ -253,9 +253,9 @@ class AnnotationImporter(DialogTask):
             self.dialog.advance(done, total)
 
     def _finish(self, outcome: EditedFrames) -> None:
-        document = self._document
+        services = self._services
         edited, total = len(outcome.edited), outcome.total
-        document.say(
+        services.say(
             tr_count(
                 total,
                 "{edited} of {n:,} frame imported",
@@ -278,7 +278,7 @@ class AnnotationImporter(DialogTask):
         )
 
     def _refused(self, outcome: EditedFrames) -> list[str]:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         frames = workspace.frames if workspace is not None else ()
         left = [(i, why) for i, why in outcome.left if not isinstance(why, LeftAlone)]
         unsaved = [(i, tr("it could not be saved: {why}", why=why)) for i, why in outcome.unsaved]

@@ -20,7 +20,7 @@ from procc_annotator.gui.commands.files.video_opening import VideoOpening, keep_
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, SOURCES, Setting, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, run_in_background
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.translation import tr
 
@@ -52,18 +52,18 @@ class SourceMemory(QObject):
     were opened before any dataset go over to the first one.
     """
 
-    def __init__(self, document: Document, settings: Settings, parent: QObject) -> None:
+    def __init__(self, services: Services, settings: Settings, parent: QObject) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._settings = settings
         self._dataset: Path | None = None
         self._changing = False
         self._written: list[dict[str, object]] | None = None
-        document.store.watch(select.dataset, self._take_dataset)
-        document.store.watch(select.cameras, self._write_down)
+        services.store.watch(select.dataset, self._take_dataset)
+        services.store.watch(select.cameras, self._write_down)
 
     def _take_dataset(self) -> None:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         dataset = workspace.root.resolve() if workspace is not None else None
         if dataset == self._dataset:
             return
@@ -71,7 +71,7 @@ class SourceMemory(QObject):
         self._written = None
         if before is not None:
             self._changing = True
-            self._document.camera_sources.clear_sources()
+            self._services.camera_sources.clear_sources()
             self._changing = False
         if dataset is not None:
             self._bring_back(dataset)
@@ -92,7 +92,7 @@ class SourceMemory(QObject):
         def fail(text: str) -> None:
             if self._dataset == dataset:
                 self._changing = False
-                self._document.say(
+                self._services.say(
                     tr("cameras opened here before are not opened again: {why}", why=text),
                     "warning",
                 )
@@ -100,25 +100,25 @@ class SourceMemory(QObject):
         run_in_background(work, on_result=done, on_error=fail, owner=self)
 
     def _add(self, reopened: _Reopened) -> None:
-        document = self._document
+        services = self._services
         # Sources that were opened meanwhile, or named on the command line, stay as they are.
-        taken = {_place(s.files): s for s in document.state.sources if s.files is not None}
+        taken = {_place(s.files): s for s in services.state.sources if s.files is not None}
         for source, cameras in reopened.found:
             known = taken.get(_place(cameras))
             if known is None:
-                document.camera_sources.add_source(
+                services.camera_sources.add_source(
                     cameras,
                     colour=source.colour,
                     visible=source.visible,
                     active=source.active and not taken,
                 )
             elif known.name in (cameras.path.name, cameras.path.stem):  # nobody named it otherwise
-                document.camera_sources.rename_source(known, source.name)
-                document.camera_sources.set_source_colour(known, source.colour)
+                services.camera_sources.rename_source(known, source.name)
+                services.camera_sources.set_source_colour(known, source.colour)
         self._changing = False
         self._write_down()
         if reopened.lost:
-            document.say(
+            services.say(
                 tr(
                     "cameras opened here before are not there any more: {paths}",
                     paths="; ".join(reopened.lost),
@@ -129,7 +129,7 @@ class SourceMemory(QObject):
     def _write_down(self) -> None:
         if self._changing or self._dataset is None:
             return
-        document = self._document
+        services = self._services
         entries = [
             asdict(
                 RememberedSource(
@@ -138,10 +138,10 @@ class SourceMemory(QObject):
                     source.name,
                     source.colour,
                     source.visible,
-                    source is document.state.active,
+                    source is services.state.active,
                 )
             )
-            for source in document.state.sources
+            for source in services.state.sources
             if (cameras := source.files) is not None
         ]
         if entries != self._written:
@@ -192,13 +192,13 @@ class OpeningTask(QObject):
 
     secondChosen = Signal(Path)  # the folder of a second annotator
 
-    def __init__(self, document: Document, settings: Settings, window: QWidget) -> None:
+    def __init__(self, services: Services, settings: Settings, window: QWidget) -> None:
         super().__init__(window)
-        self._document = document
+        self._services = services
         self._settings = settings
         self._window = window
-        self._copying = LatestOnlyTask(self, lambda why: document.say(why, "warning"))
-        self.video = VideoOpening(document, window, self._remember)
+        self._copying = LatestOnlyTask(self, lambda why: services.say(why, "warning"))
+        self.video = VideoOpening(services, window, self._remember)
 
     def open_path(
         self, path: Path, annotations: Path | None = None, field: Field | None = None
@@ -208,9 +208,9 @@ class OpeningTask(QObject):
         if _is_video(path):
             self.video.ask(path, field)
             return True
-        opened = self._document.opening.open_path(path, annotations)
+        opened = self._services.opening.open_path(path, annotations)
         if field is not None:
-            self._document.field_choice.take(field)
+            self._services.field_choice.take(field)
         if opened:
             self._remember(path)
         elif not path.exists():
@@ -223,7 +223,7 @@ class OpeningTask(QObject):
             if _holds_pictures(path) or _is_video(path):
                 self.open_path(path)
             else:
-                self._document.camera_sources.load_cameras(path)
+                self._services.camera_sources.load_cameras(path)
 
     def open_folder(self) -> None:
         """Ask for a folder of pictures."""
@@ -244,7 +244,7 @@ class OpeningTask(QObject):
 
     def keep_frame(self) -> None:
         """Write the video frame on screen as a picture."""
-        keep_video_frame(self._document)
+        keep_video_frame(self._services)
 
     def open_second(self) -> None:
         """Ask for the folder of a second annotator."""
@@ -255,13 +255,13 @@ class OpeningTask(QObject):
         """Open the user's own copy of the frames that come with the program."""
         folder = sample_folder()
         if folder is None:
-            self._document.say(tr("the sample comes with the source, not here"), "warning")
+            self._services.say(tr("the sample comes with the source, not here"), "warning")
         else:
             self._copying.start(lambda _: copy_sample(folder), self._open_copy)
 
     def _open_copy(self, folder: Path) -> None:
         if self.open_path(folder):
-            self._document.say(
+            self._services.say(
                 tr(
                     "your own copy, in {folder}; load its cameras from the menu Camera",
                     folder=folder,
@@ -279,7 +279,7 @@ class OpeningTask(QObject):
     # --- inside ---
 
     def _load(self, chosen: Path | None) -> None:
-        if chosen is not None and self._document.camera_sources.load_cameras(chosen):
+        if chosen is not None and self._services.camera_sources.load_cameras(chosen):
             self._settings.set(CAMERAS, str(chosen))
 
     def _remember(self, path: Path) -> None:

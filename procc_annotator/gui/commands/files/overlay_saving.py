@@ -18,7 +18,7 @@ from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
 from procc_annotator.gui.panels.widgets import DecimalBox
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.overlay_scene import (
     MAX_SCALE,
@@ -103,16 +103,16 @@ class OverlayDialog(QDialog):
 class OverlaySaving:
     """What is on screen as a file; in blind mode without the projection, as on screen."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        self._document = document
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        self._services = services
         self._parent = parent
 
     def ask(self) -> None:
         """Ask how and where, and write."""
-        document = self._document
-        frame, size = document.state.frame, document.state.picture_size
+        services = self._services
+        frame, size = services.state.frame, services.state.picture_size
         if frame is None or size is None:
-            document.say(tr("open a picture first"), "warning")
+            services.say(tr("open a picture first"), "warning")
             return
         dialog = OverlayDialog(size, self._parent)
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
@@ -122,7 +122,7 @@ class OverlaySaving:
             return
         name = f"{frame.name.replace('/', '_')}_overlay{suffix}"
         kind = tr("Picture (*{suffix})", suffix=suffix)
-        path = ask_where(document, self._parent, tr("Save overlay picture"), name, kind)
+        path = ask_where(services, self._parent, tr("Save overlay picture"), name, kind)
         if path is not None:
             self.write(path, look)
 
@@ -130,14 +130,14 @@ class OverlaySaving:
         """Write the frame on screen in the background; the suffix says which kind.
 
         Returns:
-            Whether writing began. What came of it is a message of the document.
+            Whether writing began. What came of it is a message.
         """
-        document = self._document
-        frame = document.state.frame
+        services = self._services
+        frame = services.state.frame
         if frame is None:
             return False
         if path.resolve() == frame.image_path.resolve():
-            document.say(
+            services.say(
                 tr("{path}: is the picture itself, choose another name", path=path),
                 "error",
                 "save_overlay",
@@ -145,22 +145,22 @@ class OverlaySaving:
             return False
         scene = Scene(
             frame.image_path,
-            document.state.annotation,
-            document.state.setup,
-            document.judge.measurement,
-            document.judge.score,
+            services.state.annotation,
+            services.state.setup,
+            services.scorer.measurement,
+            services.scorer.score,
             frame.name,
-            "" if document.state.active is None else document.state.active.name,
-            document.painted_width.value,
+            "" if services.state.active is None else services.state.active.name,
+            services.line_widths.value,
         )
         try:
             draw = OverlayPictures(path.suffix.lower(), look)
         except ProccError as error:
-            document.say(str(error), "error", "save_overlay")
+            services.say(str(error), "error", "save_overlay")
             return False
-        document.say(tr("writing the overlay picture {path} …", path=path))
+        services.say(tr("writing the overlay picture {path} …", path=path))
         write(
-            document,
+            services,
             lambda _: write_atomic(path, draw(scene)),
             lambda _: tr("overlay picture written to {path}", path=path),
             again="save_overlay",

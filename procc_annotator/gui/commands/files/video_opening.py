@@ -29,7 +29,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
 from procc_annotator.translation import tr, tr_count
@@ -93,14 +93,14 @@ class VideoDialog(QDialog):
 class VideoOpening:
     """Asks which frames, finds them in the background, and opens them as a dataset."""
 
-    def __init__(self, document: Document, parent: QWidget, opened: Callable[[Path], None]) -> None:
-        self._document = document
+    def __init__(self, services: Services, parent: QWidget, opened: Callable[[Path], None]) -> None:
+        self._services = services
         self._parent = parent
         self._opened = opened
-        self._work = LatestOnlyTask(document, self._fail)
+        self._work = LatestOnlyTask(services, self._fail)
         self._progress: QProgressDialog | None = None
         # Anyone who opened something else meanwhile does not want the video any more.
-        document.store.watch(select.dataset, self.cancel)
+        services.store.watch(select.dataset, self.cancel)
 
     def ask(self, path: Path, field: Field | None = None) -> None:
         """Read how many frames a video has, then show the dialog; ``field``: what it shows, where
@@ -155,14 +155,14 @@ class VideoOpening:
         )
 
     def _open(self, path: Path, numbers: list[int], field: Field | str | None) -> None:
-        document = self._document
-        if not document.opening.open_workspace(open_video(path, numbers, document.state.field)):
+        services = self._services
+        if not services.opening.open_workspace(open_video(path, numbers, services.state.field)):
             return
         self._opened(path)
         if isinstance(field, Field):
-            document.field_choice.take(field)
+            services.field_choice.take(field)
         elif field is not None:
-            document.field_choice.choose(field)
+            services.field_choice.choose(field)
 
     def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
         """Work in the background, with a window that shows how far it is and can cancel it."""
@@ -185,7 +185,7 @@ class VideoOpening:
 
     def _fail(self, text: str) -> None:
         self._end_progress()
-        self._document.say(text, "error")
+        self._services.say(text, "error")
 
     def _end_progress(self) -> None:
         progress, self._progress = self._progress, None
@@ -195,12 +195,12 @@ class VideoOpening:
             progress.deleteLater()
 
 
-def keep_video_frame(document: Document) -> None:
+def keep_video_frame(services: Services) -> None:
     """Write the picture on screen next to its annotation, if it is a frame of a video."""
-    frame, picture = document.state.frame, document.walk.picture
+    frame, picture = services.state.frame, services.navigator.picture
     if frame is None or picture is None or frame.image_folder.is_dir():
-        document.say(tr("this frame is a picture already"))
+        services.say(tr("this frame is a picture already"))
         return
     write(
-        document, lambda _: keep_frame(frame, picture), lambda path: tr("kept as {path}", path=path)
+        services, lambda _: keep_frame(frame, picture), lambda path: tr("kept as {path}", path=path)
     )

@@ -20,27 +20,27 @@ from procc_annotator.dataset.records import Status
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.review_state import UNFINISHED
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, word
 
 
 class StatusWalk:
     """Slots of the menu Frame that look at more than one frame."""
 
-    def __init__(self, document: Document) -> None:
-        self._document = document
+    def __init__(self, services: Services) -> None:
+        self._services = services
 
     def go_last(self) -> None:
         """The last frame."""
-        if (workspace := self._document.state.workspace) is not None:
-            self._document.walk.go_to(len(workspace.frames) - 1)
+        if (workspace := self._services.state.workspace) is not None:
+            self._services.navigator.go_to(len(workspace.frames) - 1)
 
     def go_unfinished(self, step: int) -> None:
         """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
         self._go(
             step,
-            lambda name: self._document.review.status(name) in UNFINISHED,
+            lambda name: self._services.review.status(name) in UNFINISHED,
             tr("every frame after this one is done or approved")
             if step > 0
             else tr("every frame before this one is done or approved"),
@@ -50,35 +50,35 @@ class StatusWalk:
         """The next rejected frame; after the last one it begins again."""
         self._go(
             1,
-            lambda name: self._document.review.status(name) is Status.REJECTED,
+            lambda name: self._services.review.status(name) is Status.REJECTED,
             tr("no other frame is rejected"),
             around=True,
         )
 
     def set_status(self, status: str) -> None:
         """Give the frame on screen a status."""
-        document = self._document
-        if (frame := document.state.frame) is None:
+        services = self._services
+        if (frame := services.state.frame) is None:
             return
-        document.store.events.aboutToLeave.emit()
-        document.review.set_status(frame.name, Status(status))
-        document.say(tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame")))
+        services.store.events.aboutToLeave.emit()
+        services.review.set_status(frame.name, Status(status))
+        services.say(tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame")))
 
     def _go(
         self, step: int, wanted: Callable[[str], bool], none_left: str, *, around: bool = False
     ) -> None:
-        document = self._document
-        if document.state.workspace is None:
+        services = self._services
+        if services.state.workspace is None:
             return
-        frames = document.state.workspace.frames
-        here, count = document.state.frame_index, len(frames)
+        frames = services.state.workspace.frames
+        here, count = services.state.frame_index, len(frames)
         ahead = range(here + step, count if step > 0 else -1, step)
         order = [*ahead, *(range(here) if around else ())]
         for index in order:
             if wanted(frames[index].name):
-                document.walk.go_to(index)
+                services.navigator.go_to(index)
                 return
-        document.say(none_left)
+        services.say(none_left)
 
 
 Order = Literal["jac", "error", "disagreement"]
@@ -114,19 +114,19 @@ class WorstFirst(QObject):
 
     progressed = Signal(int, int)  # frames compared, of how many; (0, 0) when it is over
 
-    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+    def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._walk: _Walk | None = None
         self._kept: dict[tuple[object, ...], SetDisagreement] = {}
-        self._ranking = LatestOnlyTask(self, lambda text: document.say(text, "error"))
+        self._ranking = LatestOnlyTask(self, lambda text: services.say(text, "error"))
         self._comparing = LatestOnlyTask(self, self._not_compared)
-        document.store.watch(select.dataset, self._forget)
-        document.store.watch(select.cameras, self._forget_removed)
+        services.store.watch(select.dataset, self._forget)
+        services.store.watch(select.cameras, self._forget_removed)
 
     def go_worst(self) -> None:
         """The frame with the lowest JaC, then the next better one."""
-        tau = self._document.state.tau
+        tau = self._services.state.tau
         self._go_by_audits("jac", lambda audit: audit.jac_at(tau), low=True, more=(tau,))
 
     def go_largest_error(self) -> None:
@@ -135,10 +135,10 @@ class WorstFirst(QObject):
 
     def go_disagreement(self) -> None:
         """The frame where the active source and the compared one differ most, then the next."""
-        document = self._document
+        services = self._services
         pair = self._pair()
-        if pair is None or document.state.workspace is None:
-            document.say(
+        if pair is None or services.state.workspace is None:
+            services.say(
                 tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)"),
             )
             return
@@ -147,7 +147,7 @@ class WorstFirst(QObject):
             self._compare(*pair)
             return
         if not found.metres:
-            document.say(
+            services.say(
                 tr(
                     "{source} and {other} cannot be compared on the ground in any frame",
                     source=pair[0].name,
@@ -159,10 +159,10 @@ class WorstFirst(QObject):
 
     def stop(self) -> None:
         """Stop what is computed of the whole set."""
-        self._document.set_scores.cancel()
+        self._services.dataset_scores.cancel()
         if self._comparing.cancel():
             self.progressed.emit(0, 0)
-            self._document.say(tr("stopped comparing the sources"))
+            self._services.say(tr("stopped comparing the sources"))
 
     # --- walking --------------------------------------------------------------------------
 
@@ -174,7 +174,7 @@ class WorstFirst(QObject):
         low: bool,
         more: tuple[object, ...] = (),
     ) -> None:
-        source = self._document.state.active
+        source = self._services.state.active
         if source is None:
             self._say_no_scores()
             return
@@ -184,23 +184,23 @@ class WorstFirst(QObject):
             found = ((name, value(audit)) for name, audit in audits.items())
             return {name: number for name, number in found if number is not None}
 
-        key = (source.camera_set, self._document.state.setup, len(audits), *more)
+        key = (source.camera_set, self._services.state.setup, len(audits), *more)
         self._go(order, values, key, low=low)
 
     def _go(self, order: Order, values: Values, more: tuple[object, ...], *, low: bool) -> None:
         """Take the next step of a walk, or rank the frames and take the first one."""
-        document = self._document
-        workspace = document.state.workspace
+        services = self._services
+        workspace = services.state.workspace
         if workspace is None or self._ranking.running:
             return
-        committed = document.state.revealed_frames
+        committed = services.state.revealed_frames
         key = (order, *more, None if committed is None else len(committed))
         if self._walk is not None and self._walk.key == key:
             # An edit changes a frame's value; while one walks its place stays, so that none is
             # visited twice and none is missed.
             self._step(order, self._walk)
             return
-        index, frame = workspace.index, document.state.frame
+        index, frame = workspace.index, services.state.frame
 
         def rank() -> _Walk:
             found = values()
@@ -209,7 +209,7 @@ class WorstFirst(QObject):
             return _Walk(key, worst_frames_first(found, index, low=low), found)
 
         def done(walk: _Walk) -> None:
-            if document.state.frame is frame:  # nobody has moved on meanwhile
+            if services.state.frame is frame:  # nobody has moved on meanwhile
                 self._walk = walk
                 self._step(order, walk)
 
@@ -219,26 +219,26 @@ class WorstFirst(QObject):
         self._ranking.start(lambda _: rank(), done)
 
     def _step(self, order: Order, walk: _Walk) -> None:
-        document = self._document
-        workspace = document.state.workspace
+        services = self._services
+        workspace = services.state.workspace
         if workspace is None or not walk.order:
             self._say_no_scores()
             return
-        if walk.place < 0 and walk.order[0] == document.state.frame_index:
+        if walk.place < 0 and walk.order[0] == services.state.frame_index:
             walk.place = 0
             self._tell(order, walk, tr("this is the worst; once more goes on"))
             return
-        place = next_worst(walk.order, walk.place, document.state.frame_index)
+        place = next_worst(walk.order, walk.place, services.state.frame_index)
         if place is None:
-            document.say(tr("no other frame has a score"))
+            services.say(tr("no other frame has a score"))
             return
         again, walk.place = place < walk.place, place
-        document.walk.go_to(walk.order[place])
+        services.navigator.go_to(walk.order[place])
         self._tell(order, walk, tr("from the worst again") if again else "")
 
     def _tell(self, order: Order, walk: _Walk, more: str) -> None:
         """Say where in a walk the frame on screen is."""
-        frame = self._document.state.frame
+        frame = self._services.state.frame
         if frame is not None:
             said = tr(
                 _SAID[order],
@@ -246,47 +246,47 @@ class WorstFirst(QObject):
                 total=len(walk.order),
                 value=walk.values[frame.name],
             )
-            self._document.say("; ".join(filter(None, (said, more))))
+            self._services.say("; ".join(filter(None, (said, more))))
 
     def _say_no_scores(self) -> None:
         words = tr("no JaC yet: load cameras first")
-        if self._document.state.active is not None:
+        if self._services.state.active is not None:
             words = tr("no frame with a score to go to")
-            if self._document.state.blind:
+            if self._services.state.blind:
                 words = tr(
                     "no frame with a score to go to: blind mode shows those of committed frames"
                     " only"
                 )
-        self._document.say(words)
+        self._services.say(words)
 
     # --- comparing ------------------------------------------------------------------------
 
     def _pair(self) -> tuple[CameraSource, CameraSource] | None:
         """The active source and the one it is held against."""
-        active, other = self._document.state.active, self._document.state.compared
+        active, other = self._services.state.active, self._services.state.compared
         return None if active is None or other is None else (active, other)
 
     def _pair_key(self, a: CameraSource, b: CameraSource) -> tuple[object, ...]:
         """The same whichever of the two is active: metres do not depend on it."""
-        setup = self._document.state.setup
+        setup = self._services.state.setup
         return frozenset((a.camera_set, b.camera_set)), setup.size, setup.field.described
 
     def _compare(self, a: CameraSource, b: CameraSource) -> None:
-        document = self._document
+        services = self._services
         workspace, frame, setup = (
-            document.state.workspace,
-            document.state.frame,
-            document.state.setup,
+            services.state.workspace,
+            services.state.frame,
+            services.state.setup,
         )
         if workspace is None:
             return
         if self._comparing.running:
-            document.say(tr("two sources are being compared already"))
+            services.say(tr("two sources are being compared already"))
             return
         key = self._pair_key(a, b)
         names = [f.name for f in workspace.frames]
         first, second = a.camera_set, b.camera_set
-        document.say(
+        services.say(
             tr("comparing {source} with {other} over the set", source=a.name, other=b.name)
         )
 
@@ -298,16 +298,16 @@ class WorstFirst(QObject):
         def done(found: SetDisagreement) -> None:
             self.progressed.emit(0, 0)
             self._kept[key] = found
-            if document.state.frame is frame:  # nobody has moved on meanwhile
+            if services.state.frame is frame:  # nobody has moved on meanwhile
                 self.go_disagreement()
             else:
-                document.say(tr("{source} and {other} are compared", source=a.name, other=b.name))
+                services.say(tr("{source} and {other} are compared", source=a.name, other=b.name))
 
         self._comparing.start(work, done, progress=self.progressed.emit)
 
     def _not_compared(self, text: str) -> None:
         self.progressed.emit(0, 0)
-        self._document.say(text, "error")
+        self._services.say(text, "error")
 
     def _forget(self) -> None:
         """Another dataset was opened."""
@@ -319,7 +319,7 @@ class WorstFirst(QObject):
 
     def _forget_removed(self) -> None:
         """Comparisons of sources that are gone are not kept."""
-        there = {source.camera_set for source in self._document.state.sources}
+        there = {source.camera_set for source in self._services.state.sources}
         self._kept = {
             key: found
             for key, found in self._kept.items()

@@ -17,7 +17,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.findings.finding_rows import Entry
 from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel, so_many
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
 from procc_annotator.translation import (
@@ -44,15 +44,15 @@ class LabelCheckCommands(QObject):
     walked = Signal()  # a finding was gone to: its reason should be in sight
     followWanted = Signal(str)  # this element is to be put along its paint
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
+    def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(parent)
-        self._document = document
-        self._check = document.label_check
+        self._services = services
+        self._check = services.label_check
         self._window = parent
         self._passed: set[str] = set()  # keys of this frame's findings that were walked through
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
-        document.store.watch(select.dataset, self._forget_passed)
+        services.store.watch(select.dataset, self._forget_passed)
 
     def serve(self, panel: FindingsPanel) -> None:
         """Do what the list of findings asks for."""
@@ -68,14 +68,14 @@ class LabelCheckCommands(QObject):
 
     def step(self, step: int) -> None:
         """Go to the next finding (1) or the one before (-1), from frame to frame."""
-        document = self._document
-        if document.state.workspace is None:
+        services = self._services
+        if services.state.workspace is None:
             return
         # What is in progress may become an element with findings.
-        document.store.events.aboutToLeave.emit()
+        services.store.events.aboutToLeave.emit()
         entries = self._walked()
         if not entries:
-            document.say(self._why_nothing())
+            services.say(self._why_nothing())
             return
         at = self._next(entries, step)
         self.go(*entries[at])
@@ -83,14 +83,14 @@ class LabelCheckCommands(QObject):
 
     def go(self, frame: str, found: StoredFinding) -> None:
         """Show a finding: its frame, its element, its place."""
-        document, workspace = self._document, self._document.state.workspace
+        services, workspace = self._services, self._services.state.workspace
         if workspace is None:
             return
         if frame != self._passed_in:
             self._passed_in = frame
             self._passed.clear()
         self._passed.add(found.key)
-        document.walk.go_to(workspace.index[frame])
+        services.navigator.go_to(workspace.index[frame])
         self._check.set_current(frame, found)
         self._show(found)
         self.walked.emit()
@@ -106,8 +106,8 @@ class LabelCheckCommands(QObject):
 
     def _next(self, entries: list[Entry], step: int) -> int:
         """Which finding comes next; the one walked to last may have been fixed meanwhile."""
-        document, workspace = self._document, self._document.state.workspace
-        here, current = document.state.frame, self._check.current
+        services, workspace = self._services, self._services.state.workspace
+        here, current = services.state.frame, self._check.current
         assert workspace is not None  # the caller looked
         name = here.name if here is not None else ""
         if current is not None:
@@ -118,7 +118,7 @@ class LabelCheckCommands(QObject):
         order = range(len(entries)) if step > 0 else range(len(entries) - 1, -1, -1)
         for at in order:
             frame, found = entries[at]
-            ahead = (workspace.index[frame] - document.state.frame_index) * step
+            ahead = (workspace.index[frame] - services.state.frame_index) * step
             if ahead > 0 or (ahead == 0 and found.key not in passed):
                 return at
         return order[0]
@@ -134,7 +134,7 @@ class LabelCheckCommands(QObject):
             elements=self._named(finding.elements),
         )
         remedy = f"F12: {tr(finding.remedies[0].text)}" if finding.remedies else ""
-        self._document.say("; ".join(filter(None, (said, remedy))))
+        self._services.say("; ".join(filter(None, (said, remedy))))
 
     def _named(self, elements: tuple[str, ...]) -> str:
         """One or two elements by name, more by their number."""
@@ -165,26 +165,26 @@ class LabelCheckCommands(QObject):
         self._show(found)
 
     def _show(self, found: StoredFinding) -> None:
-        document, size = self._document, self._document.state.picture_size
-        annotated = set(document.state.annotation.annotated)
+        services, size = self._services, self._services.state.picture_size
+        annotated = set(services.state.annotation.annotated)
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
             return
         name, index = found.places[0]
         if found.finding.point is not None:
-            document.selecting.select_point(name, index)
+            services.selection.select_point(name, index)
         else:
-            document.selecting.select_point(None)
-            document.selecting.select_class(name)
-        annotation = document.state.annotation
+            services.selection.select_point(None)
+            services.selection.select_class(name)
+        annotation = services.state.annotation
         if found.finding.point is not None:
             polyline = annotation.get(name)
             if polyline is not None and index < len(polyline.points):
                 x, y = points_px(polyline, size)[index].tolist()
-                document.store.events.flyTo.emit(x, y)
+                services.store.events.flyTo.emit(x, y)
             return
         shown = [annotation.get(each) for each, _ in found.places]
         points = np.concatenate([points_px(p, size) for p in shown if p is not None])
-        document.store.events.flyToArea.emit(
+        services.store.events.flyToArea.emit(
             *points.min(axis=0).tolist(), *points.max(axis=0).tolist()
         )
 
@@ -192,30 +192,30 @@ class LabelCheckCommands(QObject):
 
     def apply_first(self) -> None:
         """Do the first remedy of the current finding, or of the frame's surest one."""
-        document = self._document
-        document.store.events.aboutToLeave.emit()
+        services = self._services
+        services.store.events.aboutToLeave.emit()
         chosen = self._check.severities
         listed = [f for f in self._check.shown if f.finding.severity in chosen]
         found = self._check.current or next(iter(listed), None)
         if found is None and self._check.working:
-            document.say(tr("the label check is still looking at this frame"))
+            services.say(tr("the label check is still looking at this frame"))
         elif found is None:
-            document.say(tr("the label check has found nothing in this frame"))
+            services.say(tr("the label check has found nothing in this frame"))
         elif not found.finding.remedies:
-            document.say(tr("no remedy is known: {reason}", reason=found.finding.reason))
+            services.say(tr("no remedy is known: {reason}", reason=found.finding.reason))
         else:
             self.apply(found, found.finding.remedies[0])
 
     def apply(self, found: StoredFinding, remedy: Remedy) -> None:
         """Do a remedy of a finding of the frame on screen, as one step of undo."""
-        document, finding = self._document, found.finding
+        services, finding = self._services, found.finding
         if remedy.kind is RemedyKind.LOOK:
             self.look(found)
-            document.say(tr(finding.reason))
+            services.say(tr(finding.reason))
             return
-        document.store.events.aboutToLeave.emit()
+        services.store.events.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
-            document.say(tr("the elements have changed since: checked again"))
+            services.say(tr("the elements have changed since: checked again"))
             return
         if remedy.kind is RemedyKind.FOLLOW:
             self.followWanted.emit(finding.elements[0])
@@ -225,22 +225,22 @@ class LabelCheckCommands(QObject):
         def mend(annotation: FrameAnnotation) -> FrameAnnotation:
             if not found.holds_for(annotation):  # another window changed them
                 raise UsageError(tr("the elements have changed since: checked again"))
-            return apply_remedy(annotation, finding, remedy, document.state.field)
+            return apply_remedy(annotation, finding, remedy, services.state.field)
 
-        if not document.editing.edit(done, mend):
+        if not services.editing.edit(done, mend):
             return
         self._passed_in = self._frame_name()
         self._passed.add(found.key)
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
-        document.selecting.select_point(None)
-        document.selecting.select_class(shown)
-        document.say(tr("{done}; Ctrl+Z takes it back", done=done))
+        services.selection.select_point(None)
+        services.selection.select_class(shown)
+        services.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
     def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
         """Return what a remedy has done, in words."""
 
         def title(name: str) -> TranslatableText:
-            return translatable(self._document.state.field.title_of(name))
+            return translatable(self._services.state.field.title_of(name))
 
         renamed = remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
@@ -264,7 +264,7 @@ class LabelCheckCommands(QObject):
         """Show the current finding no more."""
         found = self._check.current
         if found is None:
-            self._document.say(tr("go to a finding first (F10)"))
+            self._services.say(tr("go to a finding first (F10)"))
             return
         self.ignore(self._frame_name(), found)
 
@@ -273,7 +273,7 @@ class LabelCheckCommands(QObject):
         self._passed.add(found.key)
         self._check.ignored.add(frame, found.key)
         titles = ", ".join(map(self._title, found.finding.elements))
-        self._document.say(
+        self._services.say(
             tr("ignored until {elements} changes; the Check panel brings it back", elements=titles)
         )
 
@@ -286,9 +286,9 @@ class LabelCheckCommands(QObject):
 
     def check_set(self) -> None:
         """Check the whole set in the background."""
-        if opened_frame(self._document) is None:
+        if opened_frame(self._services) is None:
             return
-        self._document.store.events.aboutToLeave.emit()
+        self._services.store.events.aboutToLeave.emit()
         if not self._check.running:
             self._check.check_set()
 
@@ -296,7 +296,7 @@ class LabelCheckCommands(QObject):
         """Stop checking the set."""
         if self._check.running:
             self._check.stop()
-            self._document.say(tr("stopped checking the set; what was found stays"))
+            self._services.say(tr("stopped checking the set; what was found stays"))
 
     def _tell_finished(self, checked: int) -> None:
         check = self._check
@@ -306,7 +306,7 @@ class LabelCheckCommands(QObject):
             checked,
             "checked {n:,} frame, camera model {model}: {found}",
             "checked {n:,} frames, camera model {model}: {found}",
-            model=self._document.live_fit.model,
+            model=self._services.live_fit.model,
             found=", ".join(counts) if counts else tr("nothing found"),
         )
         if problems := len(check.problems):
@@ -314,17 +314,17 @@ class LabelCheckCommands(QObject):
                 problems, "{n:,} frame cannot be checked", "{n:,} frames cannot be checked"
             )
             words = f"{words}; {not_checked}"
-        self._document.say(words)
+        self._services.say(words)
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
-        asked = self._document, self._window, tr("Export findings")
+        asked = self._services, self._window, tr("Export findings")
         if (path := ask_where(*asked, "findings.csv", tr("Table (*.csv)"))) is not None:
             self.export(path)
 
     def export(self, path: Path) -> None:
         """Write the findings of all checked frames as CSV, without those that are ignored."""
-        document, known = self._document, self._check.known.count
+        services, known = self._services, self._check.known.count
         found = [
             ReportedFinding(frame, one.finding, checked.size)
             for frame, one in self._check.known.in_set()
@@ -334,10 +334,10 @@ class LabelCheckCommands(QObject):
         try:
             write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
         except ProccError as error:
-            document.say(str(error), "error", "export_findings")
+            services.say(str(error), "error", "export_findings")
             return
         frames = tr_count(known, "{n:,} checked frame", "{n:,} checked frames")
-        document.say(
+        services.say(
             tr_count(
                 len(found),
                 "exported {n:,} finding in {frames} to {path}",
@@ -350,8 +350,8 @@ class LabelCheckCommands(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _frame_name(self) -> str:
-        frame = self._document.state.frame
+        frame = self._services.state.frame
         return frame.name if frame is not None else ""
 
     def _title(self, class_name: str) -> str:
-        return tr(self._document.state.field.title_of(class_name))
+        return tr(self._services.state.field.title_of(class_name))

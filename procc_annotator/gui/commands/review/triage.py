@@ -15,7 +15,7 @@ from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, pl
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.scores import VerdictRow
 from procc_annotator.gui.state.background import JobControl
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.window_tables import verdicts_csv
 from procc_annotator.translation import tr, tr_count, word
@@ -33,26 +33,26 @@ _UNLOCKS_OWN = word(
 class BlindLocking:
     """Slot of the action that locks and unlocks."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        self._document = document
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        self._services = services
         self._parent = parent
 
     def set_locked(self, locked: bool) -> None:
         """Lock the dataset for everybody; unlock it once a person said so knowingly."""
-        lock = self._document.blind_lock
+        lock = self._services.blind_lock
         if locked or lock.lock is None or self._confirmed(lock.reason):
             lock.set_locked(locked)
         lock.refused.emit()  # the action shows the present state
 
     def _confirmed(self, reason: str) -> bool:
-        shared = not self._document.review.reach
+        shared = not self._services.review.reach
         words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
         box = QMessageBox(self._parent)
         box.setObjectName("unlockBlind")
         box.setIcon(QMessageBox.Icon.Warning)
         box.setWindowTitle(tr("Unlock blind mode"))
         box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(tr(words, author=self._document.state.author))
+        box.setInformativeText(tr(words, author=self._services.state.author))
         unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
         keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
         box.setDefaultButton(keep)
@@ -65,9 +65,9 @@ class BlindLocking:
 class Triage(QObject):
     """Slots of the actions that mark a frame and export the verdicts."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
+    def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._window = parent
 
     def serve(self, row: VerdictRow) -> None:
@@ -81,15 +81,15 @@ class Triage(QObject):
     def mark(self, fault: str) -> None:
         """Give the frame on screen a verdict under the active source; the same again takes it
         back."""
-        document = self._document
-        source, frame = document.state.active, document.state.frame
+        services = self._services
+        source, frame = services.state.active, services.state.frame
         if frame is None or source is None:
-            document.say(tr("a verdict is on a frame and a camera: load cameras first"))
+            services.say(tr("a verdict is on a frame and a camera: load cameras first"))
             return
         if source.files is None:
-            follows = source is document.fit_source.source
+            follows = source is services.fit_source.source
             name = source.name
-            document.say(
+            services.say(
                 tr(
                     "{source} follows the clicks: a verdict is on a camera that was loaded",
                     source=name,
@@ -101,65 +101,65 @@ class Triage(QObject):
                 )
             )
             return
-        if not document.state.projection_visible:
-            document.say(
+        if not services.state.projection_visible:
+            services.say(
                 tr("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
             )
             return
         chosen = FaultParty(fault)
-        before = document.verdicts.verdict(frame.name, source)
+        before = services.verdicts.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
-            document.verdicts.set_verdict(frame.name, source, None)
+            services.verdicts.set_verdict(frame.name, source, None)
             is_undone = tr(
                 "{frame}: no verdict on {source} any more", frame=frame.name, source=source.name
             )
-            document.say(is_undone)
+            services.say(is_undone)
             return
         comment = before.comment if before is not None else ""
-        document.verdicts.set_verdict(frame.name, source, chosen, comment)
-        document.say(f"{frame.name}: {tr(FAULT_WORDS[chosen], 'a verdict')}, {source.name}")
+        services.verdicts.set_verdict(frame.name, source, chosen, comment)
+        services.say(f"{frame.name}: {tr(FAULT_WORDS[chosen], 'a verdict')}, {source.name}")
 
     def ask_note(self) -> None:
         """Ask for a few words on the verdict."""
-        document = self._document
-        source, frame = document.state.active, document.state.frame
+        services = self._services
+        source, frame = services.state.active, services.state.frame
         verdict = None
-        if frame is not None and source is not None and document.state.projection_visible:
-            verdict = document.verdicts.verdict(frame.name, source)
+        if frame is not None and source is not None and services.state.projection_visible:
+            verdict = services.verdicts.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
-            document.say(tr("mark the frame first: camera fault, annotation fault or fine"))
+            services.say(tr("mark the frame first: camera fault, annotation fault or fine"))
             return
         text, given = QInputDialog.getText(
             self._window, tr("Note on the verdict"), tr("What is wrong here:"), text=verdict.comment
         )
         if given:
-            document.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
+            services.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 
     def ask_export(self) -> None:
         """Ask for a file and write all verdicts there."""
-        asked = self._document, self._window, tr("Export verdicts")
+        asked = self._services, self._window, tr("Export verdicts")
         if (path := ask_where(*asked, "verdicts.csv", tr("Table (*.csv)"))) is not None:
             self.export(path)
 
     def export(self, path: Path) -> None:
         """Write all verdicts with their figures at tau as CSV."""
-        document = self._document
-        if opened_frame(document) is None:
+        services = self._services
+        if opened_frame(services) is None:
             return
         every = [
-            v for of_frame in document.review.all_verdicts().values() for v in of_frame.values()
+            v for of_frame in services.review.all_verdicts().values() for v in of_frame.values()
         ]
-        revealed = document.state.revealed_frames
+        revealed = services.state.revealed_frames
         verdicts = [v for v in every if revealed is None or v.frame in revealed]
         if not verdicts:
             hidden = tr("blind: no frame that is committed has a verdict")
             none = tr("no frame has a verdict yet: mark one first")
-            document.say(hidden if every else none)
+            services.say(hidden if every else none)
             return
-        if not document.editing.save_now():
-            document.say(
+        if not services.editing.save_now():
+            services.say(
                 tr("not everything could be saved: the figures are of the last saved state"),
                 "warning",
             )
@@ -176,7 +176,7 @@ class Triage(QObject):
             return f"{done}; {more}" if left else done
 
         write(
-            document,
+            services,
             self._writing(path, self._in_order(verdicts)),
             said,
             owner=self,
@@ -185,18 +185,18 @@ class Triage(QObject):
 
     def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:
         """As the frames lie in the set; those of frames that are gone behind."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         places = workspace.index if workspace is not None else {}
         return sorted(verdicts, key=lambda v: (places.get(v.frame, len(places)), v.frame, v.source))
 
     def _writing(self, path: Path, verdicts: list[Verdict]) -> Callable[[JobControl], int]:
         """Return what writes the verdicts, in a thread of its own, and returns how many."""
-        document = self._document
+        services = self._services
         sets: dict[str, CameraSet] = {}
-        for source in document.state.sources:
+        for source in services.state.sources:
             if (files := source.files) is not None:
-                sets[document.verdicts.place(source)] = sets[place_by_name(source.name)] = files
-        setup, tau, reopen = document.state.setup, document.state.tau, document.opening.reopener()
+                sets[services.verdicts.place(source)] = sets[place_by_name(source.name)] = files
+        setup, tau, reopen = services.state.setup, services.state.tau, services.opening.reopener()
 
         def work(control: JobControl) -> int:
             fresh = reopen()

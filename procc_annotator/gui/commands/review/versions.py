@@ -30,7 +30,7 @@ from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
 from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, translatable, word
@@ -320,22 +320,22 @@ def _draw_line(
 class Versions:
     """Slot of the action."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        self._document = document
+    def __init__(self, services: Services, parent: QWidget) -> None:
+        self._services = services
         self._parent = parent
 
     def ask(self) -> None:
         """Show every saved version of the frame on screen; a chosen one becomes an edit."""
-        document = self._document
-        document.store.events.aboutToLeave.emit()
-        document.saver.settle()  # what is written is a version too
-        workspace, frame = document.state.workspace, document.state.frame
-        database = document.review.database
+        services = self._services
+        services.store.events.aboutToLeave.emit()
+        services.saver.settle()  # what is written is a version too
+        workspace, frame = services.state.workspace, services.state.frame
+        database = services.review.database
         if workspace is None or frame is None or database is None:
-            document.say(tr("open a folder of pictures first"))
+            services.say(tr("open a folder of pictures first"))
             return
         rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
-        index = document.state.frame_index
+        index = services.state.frame_index
 
         def read(version: str) -> FrameAnnotation:
             return workspace.parse(index, database.version_data(version))
@@ -344,35 +344,35 @@ class Versions:
             self._parent,
             rows,
             read,
-            document.walk.picture,
-            document.state.field,
-            document.state.picture_size or (2, 2),
-            current=document.state.annotation,
+            services.navigator.picture,
+            services.state.field,
+            services.state.picture_size or (2, 2),
+            current=services.state.annotation,
         )
         if dialog.exec() and dialog.chosen_id is not None:
-            apply_version(document, dialog.chosen_id)
+            apply_version(services, dialog.chosen_id)
         dialog.deleteLater()
 
 
-def apply_version(document: Document, version: str) -> None:
+def apply_version(services: Services, version: str) -> None:
     """Make a saved version the annotation of the frame on screen; undo takes it back. Where the
     file cannot be read, it is replaced, and stays a version."""
-    workspace, database = document.state.workspace, document.review.database
+    workspace, database = services.state.workspace, services.review.database
     if workspace is None or database is None:
         return
-    seen, index = document.state.annotation, document.state.frame_index
-    if document.state.damage:
-        document.editing.look_at_frame()  # somebody may have mended it
+    seen, index = services.state.annotation, services.state.frame_index
+    if services.state.damage:
+        services.editing.look_at_frame()  # somebody may have mended it
     try:
         data = database.version_data(version)
         restored = workspace.parse(index, data)
-        if document.state.damage:
+        if services.state.damage:
             restore_version(workspace, index, data)
-            document.editing.reload_frame()
-            document.say(tr("the earlier version is back; what could not be read stays a version"))
+            services.editing.reload_frame()
+            services.say(tr("the earlier version is back; what could not be read stays a version"))
             return
     except (InputError, SaveError) as error:
-        document.say(str(error), "error")
+        services.say(str(error), "error")
         return
 
     def restore(annotation: FrameAnnotation) -> FrameAnnotation:
@@ -380,5 +380,5 @@ def apply_version(document: Document, version: str) -> None:
             raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
         return editing.add_unconfirmed(restored, annotation.unconfirmed)
 
-    if document.editing.edit(translatable("restore an earlier version"), restore, OriginKind.FILE):
-        document.say(tr("the earlier version is back; undo takes it away again"))
+    if services.editing.edit(translatable("restore an earlier version"), restore, OriginKind.FILE):
+        services.say(tr("the earlier version is back; undo takes it away again"))

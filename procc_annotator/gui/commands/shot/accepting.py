@@ -22,8 +22,8 @@ from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
-from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.editing.batch_edits import EditedFrames, ManyEdits, edit_frame
+from procc_annotator.gui.state.editing.batch_edits import BatchEdits, EditedFrames, edit_frame
+from procc_annotator.gui.state.services import Services
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, translatable, word
 
@@ -85,10 +85,10 @@ class StretchAccepting(QObject):
     changed = Signal()  # how far it is, or that it ended
 
     def __init__(
-        self, document: Document, least_support: Callable[[], float], parent: QObject
+        self, services: Services, least_support: Callable[[], float], parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._document, self._least_support = document, least_support
+        self._services, self._least_support = services, least_support
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
         self._looking = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
@@ -97,12 +97,12 @@ class StretchAccepting(QObject):
         self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
         self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
-        self._edits = ManyEdits(document.store, document.editing, document.auditing, self)
+        self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
         self._then: Callable[[EditedFrames], None] = self._tell_accepted
         self._edits.finished.connect(lambda outcome: self._then(outcome))
-        document.store.watch(select.dataset, self.forget)
-        document.shot_track.forgotten.connect(self._stop_looking)
-        document.store.watch(select.frame, self._go_on)
+        services.store.watch(select.dataset, self.forget)
+        services.shot_track.forgotten.connect(self._stop_looking)
+        services.store.watch(select.frame, self._go_on)
 
     @property
     def running(self) -> bool:
@@ -122,16 +122,16 @@ class StretchAccepting(QObject):
 
     def accept(self) -> None:
         """Annotate the sure frames along the track."""
-        document, workspace = self._document, self._document.state.workspace
+        services, workspace = self._services, self._services.state.workspace
         if self.running or workspace is None:
             return
-        if not document.proposals.allowed:
-            document.say(tr(_BLIND))
+        if not services.proposals.allowed:
+            services.say(tr(_BLIND))
             return
-        document.store.events.aboutToLeave.emit()
+        services.store.events.aboutToLeave.emit()
         stretch = self._stretch()
         if stretch is None:
-            document.say(tr(_NONE_SURE))
+            services.say(tr(_NONE_SURE))
             return
         self._far = (0, 0)
         self._looking.start(partial(_look, stretch), self._take, progress=self._advance)
@@ -139,11 +139,11 @@ class StretchAccepting(QObject):
 
     def take_back(self) -> None:
         """Frames that were accepted last and not edited since are as they were before."""
-        document = self._document
+        services = self._services
         if self.running or not self._accepted:
-            document.say(tr("nothing was accepted that could be taken back"))
+            services.say(tr("nothing was accepted that could be taken back"))
             return
-        document.store.events.aboutToLeave.emit()
+        services.store.events.aboutToLeave.emit()
         self._found, self._accepted = self._accepted, {}
         self._then = self._tell_taken_back
         self._edits.start(tuple(self._found), self._empty_frame)
@@ -152,11 +152,11 @@ class StretchAccepting(QObject):
         """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
         if name in ("Escape", "Undo") and self._looking.running:
             self._stop_looking()
-            self._document.say(tr("taken back: no frame is accepted"))
+            self._services.say(tr("taken back: no frame is accepted"))
             return True
-        if name != "Undo" or self._at != self._document.state.frame_index or not self._accepted:
+        if name != "Undo" or self._at != self._services.state.frame_index or not self._accepted:
             return False
-        if self._document.state.annotation != self._here:
+        if self._services.state.annotation != self._here:
             return False  # something was done here since: that is meant
         self.take_back()
         return True
@@ -165,22 +165,22 @@ class StretchAccepting(QObject):
 
     def _stretch(self) -> _Stretch | None:
         """Return what is asked for; None where nothing was followed."""
-        document, sequence = self._document, self._document.sequence.value
-        workspace, shot_track = document.state.workspace, self._document.shot_track
+        services, sequence = self._services, self._services.sequence.value
+        workspace, shot_track = services.state.workspace, self._services.shot_track
         if sequence is None or workspace is None or not shot_track.tracked:
             return None
-        here, marked = int(sequence.numbers[document.state.frame_index]), self.marked()
+        here, marked = int(sequence.numbers[services.state.frame_index]), self.marked()
         meant = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
         begin, end = np.searchsorted(sequence.numbers, (meant.start, meant.stop)).tolist()
         return _Stretch(
             sequence,
             range(begin, end),
             dict(shot_track.tracked),
-            document.annotated_frames.indices,
+            services.annotated_frames.indices,
             workspace.frames,
-            document.state.revealed_frames,
-            document.review.not_visible,
-            document.state.field,
+            services.state.revealed_frames,
+            services.review.not_visible,
+            services.state.field,
             self._least_support(),
         )
 
@@ -193,18 +193,18 @@ class StretchAccepting(QObject):
     def _take(self, found: dict[int, FrameAnnotation] | None) -> None:
         self.changed.emit()
         if found is None:
-            self._document.say(tr(_NONE_SURE))
+            self._services.say(tr(_NONE_SURE))
             return
         if not found:
-            self._document.say(tr("no frame was accepted: too little of their lines is seen"))
+            self._services.say(tr("no frame was accepted: too little of their lines is seen"))
             return
         self._found, self._put, self._then = found, {}, self._tell_accepted
-        self._at, self._here = self._document.state.frame_index, self._document.state.annotation
+        self._at, self._here = self._services.state.frame_index, self._services.state.annotation
         self._edits.start(tuple(found), self._put_frame)
 
     def _fail(self, text: str) -> None:
         self.changed.emit()
-        self._document.say(tr("no frame was accepted: {why}", why=text), "warning")
+        self._services.say(tr("no frame was accepted: {why}", why=text), "warning")
 
     def _stop_looking(self) -> None:
         if self._looking.cancel():
@@ -213,9 +213,9 @@ class StretchAccepting(QObject):
     # --- edits --------------------------------------------------------------------------------
 
     def _put_frame(self, index: int) -> str:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         assert workspace is not None
-        if not self._document.proposals.allowed_in(workspace.frames[index].name):
+        if not self._services.proposals.allowed_in(workspace.frames[index].name):
             return tr(_BLIND)
 
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
@@ -242,13 +242,13 @@ class StretchAccepting(QObject):
     def _edit(
         self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
     ) -> str:
-        document = self._document
+        services = self._services
         return edit_frame(
-            document.store, document.editing, index, change, label, OriginKind.ACCEPTED
+            services.store, services.editing, index, change, label, OriginKind.ACCEPTED
         )
 
     def _tell_accepted(self, outcome: EditedFrames) -> None:
-        document = self._document
+        services = self._services
         self._accepted = {i: self._put[i] for i in outcome.edited}
         self._here = self._accepted.get(self._at, self._here)
         words = tr_count(
@@ -257,7 +257,7 @@ class StretchAccepting(QObject):
             "accepted {n:,} frames along the track",
         )
         back = tr("Ctrl+Z takes them back")
-        document.say("; ".join((words, *_why(outcome), back)))
+        services.say("; ".join((words, *_why(outcome), back)))
         self.changed.emit()
 
     def _tell_taken_back(self, outcome: EditedFrames) -> None:
@@ -266,14 +266,14 @@ class StretchAccepting(QObject):
             "taken back: {n:,} frame accepted along the track",
             "taken back: {n:,} frames accepted along the track",
         )
-        self._document.say("; ".join((words, *_why(outcome))))
+        self._services.say("; ".join((words, *_why(outcome))))
         self.changed.emit()
 
     def _go_on(self) -> None:
         """A person looks at another frame: from now on undo means that one, unless the stretch is
         accepted just now."""
-        self._at = self._document.state.frame_index if self._edits.running else -1
-        self._here = self._document.state.annotation
+        self._at = self._services.state.frame_index if self._edits.running else -1
+        self._here = self._services.state.annotation
 
     def forget(self) -> None:
         """Accept no more and say nothing: the dataset or the window closes."""

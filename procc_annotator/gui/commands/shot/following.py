@@ -28,7 +28,7 @@ from procc_annotator.field.load import field_for_frame, field_for_stadium, stadi
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Stopped
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 
 
@@ -66,9 +66,9 @@ class ShotFollowing(QObject):
 
     changed = Signal()  # how far it is, or that it ended
 
-    def __init__(self, document: Document, parent: QObject) -> None:
+    def __init__(self, services: Services, parent: QObject) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
         self._work = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
@@ -76,11 +76,11 @@ class ShotFollowing(QObject):
         self._skipped_frames = (
             -1
         )  # the index of the frame on screen, to be looked at once it is left
-        document.shot_track.forgotten.connect(self.forget)
-        document.store.watch(select.blind, self._hide)
-        document.store.events.annotationEdited.connect(self._note_edit)
-        document.corrections.changed.connect(self._note_dragged)
-        document.store.watch(select.frame, self._follow_corrected)
+        services.shot_track.forgotten.connect(self.forget)
+        services.store.watch(select.blind, self._hide)
+        services.store.events.annotationEdited.connect(self._note_edit)
+        services.corrections.changed.connect(self._note_dragged)
+        services.store.watch(select.frame, self._follow_corrected)
 
     @property
     def running(self) -> bool:
@@ -98,18 +98,18 @@ class ShotFollowing(QObject):
 
     def toggle(self) -> None:
         """Follow the shot of the frame on screen, or stop."""
-        document, sequence = self._document, self._document.sequence.value
+        services, sequence = self._services, self._services.sequence.value
         if self.running:
             self.stop()
             return
         if sequence is None:
-            document.say(tr("only a video, or frames that follow one another, can be followed"))
+            services.say(tr("only a video, or frames that follow one another, can be followed"))
             return
-        if document.state.blind:
-            document.say(tr("blind mode: no shot is followed, its cameras would be seen"))
+        if services.state.blind:
+            services.say(tr("blind mode: no shot is followed, its cameras would be seen"))
             return
-        document.store.events.aboutToLeave.emit()
-        number = int(sequence.numbers[document.state.frame_index])
+        services.store.events.aboutToLeave.emit()
+        number = int(sequence.numbers[services.state.frame_index])
         marked = self.marked()
         within = None
         if marked is not None and marked[0] <= number <= marked[1]:
@@ -120,8 +120,8 @@ class ShotFollowing(QObject):
         """Follow no further; the frames that came stay."""
         if self._work.stop_keep_partial():
             self.changed.emit()
-            self._document.shot_track.keep()
-            self._document.say(
+            self._services.shot_track.keep()
+            self._services.say(
                 tr("stopped; what was followed so far stays")
                 if self._far[0]
                 else tr("stopped; nothing was followed")
@@ -132,20 +132,20 @@ class ShotFollowing(QObject):
     def _camera_here(self) -> Camera | None:
         """The camera of the frame on screen: of its clicks, found without, or loaded. None that is
         unsure: a whole shot would be; the track then looks for one that is sure."""
-        document = self._document
-        insight, found = document.foresight.insight, document.foresight.found
-        if (dragged := document.corrections.here) is not None and document.corrections.rules:
+        services = self._services
+        insight, found = services.prediction.insight, services.prediction.found
+        if (dragged := services.corrections.here) is not None and services.corrections.rules:
             return dragged.fit.camera
         if insight is not None and insight.from_clicks and insight.fit.camera is not None:
             return insight.fit.camera
         agreed = insight is not None and insight.fit.camera is not None
-        agreed = agreed or not document.state.annotation.annotated
-        if found is not None and agreed and not document.foresight.doubt:
+        agreed = agreed or not services.state.annotation.annotated
+        if found is not None and agreed and not services.prediction.doubt:
             return found.camera
         cameras, name, size = (
-            document.state.active_cameras,
-            document.state.frame,
-            document.state.picture_size,
+            services.state.active_cameras,
+            services.state.frame,
+            services.state.picture_size,
         )
         if cameras is None or name is None or size is None:
             return None
@@ -157,29 +157,29 @@ class ShotFollowing(QObject):
         return camera if isinstance(camera, PinholeCamera | HomographyCamera) else None
 
     def _begin(self, number: int, camera: Camera | None, within: range | None) -> None:
-        document = self._document
-        workspace, sequence = document.state.workspace, document.sequence.value
+        services = self._services
+        workspace, sequence = services.state.workspace, services.sequence.value
         assert workspace is not None
         assert sequence is not None
         asked = _Asked(
             workspace,
             sequence,
-            document.state.field,
-            stadium_of(document.state.field, document.state.frame.name)
-            if document.state.frame
+            services.state.field,
+            stadium_of(services.state.field, services.state.frame.name)
+            if services.state.frame
             else None,
-            document.live_fit.model,
+            services.live_fit.model,
             number,
             camera,
             within,
-            document.state.corrected,
+            services.state.corrected,
         )
         self._far = (0, 0)
         self._work.start(
             lambda control: _follow(asked, control),
             lambda track: self._take(track, is_shot=within is None),
             progress=self._advance,
-            partial=document.shot_track.put,
+            partial=services.shot_track.put,
         )
         self.changed.emit()
 
@@ -189,23 +189,23 @@ class ShotFollowing(QObject):
 
     def _take(self, found: Track, *, is_shot: bool) -> None:
         self.changed.emit()
-        shot_track = self._document.shot_track
+        shot_track = self._services.shot_track
         shot_track.take(found, is_shot=is_shot)
         if all(frame.fit is None for frame in found.frames):
-            self._document.say(
+            self._services.say(
                 tr("no frame of the shot has a camera that is sure: annotate one, then follow it")
             )
             return
         doubtful = sum(bool(review_reason(frame)) for frame in found.frames)
-        self._document.say(_followed(len(found.frames), doubtful))
+        self._services.say(_followed(len(found.frames), doubtful))
         self._follow_corrected()
 
     def _fail(self, text: str) -> None:
         self.changed.emit()
-        self._document.say(tr("the shot could not be followed: {why}", why=text), "warning")
+        self._services.say(tr("the shot could not be followed: {why}", why=text), "warning")
 
     def _hide(self) -> None:
-        if self._document.state.blind:
+        if self._services.state.blind:
             self.stop()
 
     def forget(self) -> None:
@@ -218,51 +218,51 @@ class ShotFollowing(QObject):
 
     def _note_edit(self) -> None:
         """The frame on screen was edited: an anchor was corrected, came or went."""
-        sequence, index = self._document.sequence.value, self._document.state.frame_index
+        sequence, index = self._services.sequence.value, self._services.state.frame_index
         if sequence is not None and 0 <= index < len(sequence.numbers):
             number = int(sequence.numbers[index])
-            tracked = self._document.shot_track.tracked.get(number)
+            tracked = self._services.shot_track.tracked.get(number)
             if tracked is None or self._only_accepted():
                 return
-            if tracked.state == "anchor" or self._document.state.annotation.annotated:
+            if tracked.state == "anchor" or self._services.state.annotation.annotated:
                 self._corrected[number] = None
             else:
                 self._corrected.pop(number, None)  # taken back: the track did not pass through it
 
     def _note_dragged(self, _: str) -> None:
         """The camera of the frame on screen was dragged, or is as it was before that."""
-        document, sequence = self._document, self._document.sequence.value
-        dragged, index = document.corrections.here, document.state.frame_index
+        services, sequence = self._services, self._services.sequence.value
+        dragged, index = services.corrections.here, services.state.frame_index
         if sequence is None or not 0 <= index < len(sequence.numbers):
             return
         number = int(sequence.numbers[index])
-        before = document.shot_track.tracked.get(number)
+        before = services.shot_track.tracked.get(number)
         if before is None or (dragged is None and before.state != "anchor"):
             return
         if dragged is not None:
-            document.shot_track.correct(as_anchor(dragged, number))
+            services.shot_track.correct(as_anchor(dragged, number))
         self._corrected[number] = None
 
     def _only_accepted(self) -> bool:
         """Return whether all that is annotated here was taken over along the track: that is no
         news."""
-        document, frame = self._document, self._document.state.frame
-        if frame is None or not document.state.annotation.annotated:
+        services, frame = self._services, self._services.state.frame
+        if frame is None or not services.state.annotation.annotated:
             return False
-        return set(document.review.origin_counts(frame.name, document.state.annotation)) == {
+        return set(services.review.origin_counts(frame.name, services.state.annotation)) == {
             OriginKind.ACCEPTED
         }
 
     def _follow_corrected(self) -> None:
         """Once a person is done with it: what is between its neighbours is followed again."""
-        document = self._document
-        sequence, index = document.sequence.value, document.state.frame_index
-        if self.running or sequence is None or document.state.blind:
+        services = self._services
+        sequence, index = services.sequence.value, services.state.frame_index
+        if self.running or sequence is None or services.state.blind:
             return
         here = int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
         for number in [n for n in self._corrected if n != here]:
             del self._corrected[number]
-            within = document.shot_track.between_anchors(number)
+            within = services.shot_track.between_anchors(number)
             if within is not None:
                 self._begin(number, None, within)
                 return

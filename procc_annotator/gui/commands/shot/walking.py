@@ -11,7 +11,7 @@ from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, word
 
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
@@ -32,56 +32,56 @@ class ShotWalk(QObject):
 
     playingChanged = Signal(bool)
 
-    def __init__(self, document: Document, canvas: Canvas, window: QObject) -> None:
+    def __init__(self, services: Services, canvas: Canvas, window: QObject) -> None:
         super().__init__(window)
-        self._document, self._window = document, window
+        self._services, self._window = services, window
         self._at: int | None = None  # where playing is
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._play_on)
         canvas.editor.changed.connect(self.stop)  # a hand does something
         canvas.menuWanted.connect(self.stay)  # before the menu is there, and with it a choice
-        document.store.events.annotationEdited.connect(self.stop)
-        document.store.watch(select.dataset, self.stop)
+        services.store.events.annotationEdited.connect(self.stop)
+        services.store.watch(select.dataset, self.stop)
 
     def step(self, frames: int) -> None:
         """Go so many frames on, or back; to the last or the first one at most."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if workspace is not None and workspace.frames:
-            index = self._document.state.frame_index + frames
-            self._document.walk.come_to(min(max(index, 0), len(workspace.frames) - 1))
+            index = self._services.state.frame_index + frames
+            self._services.navigator.come_to(min(max(index, 0), len(workspace.frames) - 1))
 
     def go_anchor(self, step: int) -> None:
         """Go to the nearest annotated frame after (1) or before (-1) this one."""
-        indices = self._document.annotated_frames.indices
+        indices = self._services.annotated_frames.indices
         if self._has_order():
             self._go(indices, step, _ANNOTATED)
 
     def go_doubtful(self, step: int) -> None:
         """Go to the nearest frame whose track is in doubt, after (1) or before (-1) this one."""
-        sequence = self._document.sequence.value
-        tracked = self._document.shot_track.tracked
+        sequence = self._services.sequence.value
+        tracked = self._services.shot_track.tracked
         if sequence is None or not self._has_order():
             return
-        if self._document.state.blind:
-            self._document.say(tr("blind mode: how the track does is hidden"))
+        if self._services.state.blind:
+            self._services.say(tr("blind mode: how the track does is hidden"))
             return
         if not tracked:
-            self._document.say(tr("no shot was followed yet (T)"))
+            self._services.say(tr("no shot was followed yet (T)"))
             return
         index_of = sequence.index_of
         self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
 
     def _go(self, indices: Iterable[int], step: int, what: str) -> None:
-        here = self._document.state.frame_index
+        here = self._services.state.frame_index
         beyond = [index for index in indices if (index - here) * step > 0]
         if beyond:
-            self._document.walk.come_to(min(beyond) if step > 0 else max(beyond))
+            self._services.navigator.come_to(min(beyond) if step > 0 else max(beyond))
         else:
-            self._document.say(tr(_NO_OTHER[step > 0, what]))
+            self._services.say(tr(_NO_OTHER[step > 0, what]))
 
     def _has_order(self) -> bool:
-        if self._document.sequence.value is None:
-            self._document.say(tr("these frames do not follow one another"))
+        if self._services.sequence.value is None:
+            self._services.say(tr("these frames do not follow one another"))
             return False
         return True
 
@@ -98,7 +98,7 @@ class ShotWalk(QObject):
             self.stop()
         elif self._has_order():
             self._window.installEventFilter(self)
-            self._at = self._document.state.frame_index
+            self._at = self._services.state.frame_index
             self.playingChanged.emit(True)
             self._play_on()
 
@@ -114,7 +114,7 @@ class ShotWalk(QObject):
         """Stop, without a frame that is on its way still: something was chosen on this one."""
         if self.playing:
             self.stop()
-            self._document.walk.stay()
+            self._services.navigator.stay()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowBlocked:  # a dialog asks about the frame on screen
@@ -123,23 +123,23 @@ class ShotWalk(QObject):
 
     def _play_on(self) -> None:
         """Go to the next frame, unless a person went elsewhere or the last one is there."""
-        document, at = self._document, self._at
-        sequence = document.sequence.value
+        services, at = self._services, self._at
+        sequence = services.sequence.value
         if at is None or sequence is None:
             self.stop()
             return
         if QApplication.activePopupWidget() is not None:  # a menu of the bar
             self.stay()
             return
-        if document.walk.coming:  # pictures come more slowly than they should be shown
+        if services.navigator.coming:  # pictures come more slowly than they should be shown
             self._clock.start(5)
             return
-        if document.state.frame_index != at or at + 1 >= len(sequence.numbers):
+        if services.state.frame_index != at or at + 1 >= len(sequence.numbers):
             self.stop()
             return
         self._at = at + 1
         apart = int(sequence.numbers[at + 1] - sequence.numbers[at])
-        document.walk.come_to(at + 1)
+        services.navigator.come_to(at + 1)
         self._clock.start(min(_SLOWEST_MS, round(1000 * apart / sequence.fps)))
 
 

@@ -30,9 +30,9 @@ from procc_annotator.gui.panels.widgets import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.maps import Compared
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, MapSummary
 from procc_annotator.metrics.setup import OFF_PLANE, PROTOCOLS
@@ -44,9 +44,9 @@ _FIGURES = ("minimum", "median", "maximum")
 class ComparingSection(QWidget):
     """Part of the cameras panel; there only while there is something to compare."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self.other = choice("cameras_compared", tr("Source to compare with"))
         self.other.setToolTip(tr("Held against the active source: comma, split view, disagreement"))
         self.other.activated.connect(self._choose)
@@ -73,9 +73,9 @@ class ComparingSection(QWidget):
 
     def refresh(self) -> None:
         """Show the choice and the figures as they are now."""
-        document = self._document
-        compared = document.state.compared
-        others = [s for s in document.state.sources if s is not document.state.active]
+        services = self._services
+        compared = services.state.compared
+        others = [s for s in services.state.sources if s is not services.state.active]
         with QSignalBlocker(self.other):
             self.other.clear()
             for source in others:
@@ -83,14 +83,14 @@ class ComparingSection(QWidget):
                 self.other.addItem(icon, source.name, source)
             self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
         self.other.setEnabled(compared is not None)
-        wanted = compared is not None or document.disagreement.enabled
-        self.setVisible(wanted and bool(document.state.sources))
-        found = document.disagreement.value
+        wanted = compared is not None or services.disagreement.enabled
+        self.setVisible(wanted and bool(services.state.sources))
+        found = services.disagreement.value
         self.figures.show_found(found)
-        show_note(self.problem, document.disagreement.problem)
+        show_note(self.problem, services.disagreement.problem)
 
     def _choose(self, index: int) -> None:
-        self._document.camera_sources.compare_with(self.other.itemData(index))
+        self._services.camera_sources.compare_with(self.other.itemData(index))
 
 
 class _Figures(QWidget):
@@ -171,18 +171,18 @@ _SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog
 class CamerasPanel(QWidget):
     """Loaded sources with the active one marked; loading; comparing; protocol; what is wrong."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("cameras_panel")
-        self._document = document
+        self._services = services
         self._build()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (judged(s), s.looks, s.compared, s.blind),
-            document.store.events.sourceAuditsChanged,
-            document.source_frames.changed,
-            document.disagreement.changed,
+            services.store.events.sourceAuditsChanged,
+            services.source_frames.changed,
+            services.disagreement.changed,
         )
 
     def sizeHint(self) -> QSize:
@@ -198,8 +198,8 @@ class CamerasPanel(QWidget):
             ),
             "cameras_empty",
         )
-        self.list = SourceList(self._document)
-        self.comparing = ComparingSection(self._document)
+        self.list = SourceList(self._services)
+        self.comparing = ComparingSection(self._services)
         self.notice = note_label("cameras_notice")
         self.error = note_label("cameras_error")
         content = ScrolledContent()
@@ -243,14 +243,14 @@ class CamerasPanel(QWidget):
             )
         )
         self.protocol.activated.connect(
-            lambda: self._document.terms.set_protocol(self.protocol.currentData())
+            lambda: self._services.evaluation.set_protocol(self.protocol.currentData())
         )
         self.off_plane = _combo("cameras_off_plane", OFF_PLANE, OFF_PLANE_TITLES)
         self.off_plane.setToolTip(
             tr("A homography knows the ground only: how posts and crossbars count for it")
         )
         self.off_plane.activated.connect(
-            lambda: self._document.terms.set_protocol(off_plane=self.off_plane.currentData())
+            lambda: self._services.evaluation.set_protocol(off_plane=self.off_plane.currentData())
         )
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -276,9 +276,9 @@ class CamerasPanel(QWidget):
             self.load(Path(chosen))
 
     def load(self, path: Path) -> None:
-        """Load cameras as the chosen format says; what goes wrong is reported by the document."""
+        """Load cameras as the chosen format says; what goes wrong is reported in a message."""
         self._offer_formats()
-        self._document.camera_sources.load_cameras(path, self.format.currentData())
+        self._services.camera_sources.load_cameras(path, self.format.currentData())
 
     def _offer_formats(self) -> None:
         """Those of this program and of plug-ins, which are looked for when they can be chosen."""
@@ -291,20 +291,20 @@ class CamerasPanel(QWidget):
     def _refresh(self) -> None:
         self._offer_formats()
         self.list.refresh()
-        self.empty.setVisible(not self._document.state.sources)
+        self.empty.setVisible(not self._services.state.sources)
         self.comparing.refresh()
         self._show_details()
-        setup = self._document.state.setup
+        setup = self._services.state.setup
         self.protocol.setCurrentIndex(self.protocol.findData(setup.protocol))
         self.off_plane.setCurrentIndex(self.off_plane.findData(setup.off_plane))
 
     def _show_details(self) -> None:
-        document = self._document
-        notice, error = document.judge.shown.notice, document.judge.shown.error
+        services = self._services
+        notice, error = services.scorer.shown.notice, services.scorer.shown.error
         notice = tr("This frame: {notice}", notice=notice) if notice else ""
-        if document.state.active_cameras is None:
+        if services.state.active_cameras is None:
             notice = error = ""
-        elif not document.state.projection_visible:
+        elif not services.state.projection_visible:
             notice, error = tr("Blind: the projection is hidden until this frame is committed."), ""
         show_note(self.notice, notice)
         if error:

@@ -42,7 +42,7 @@ from procc_annotator.dataset.computed_cameras import TRACK_NAME
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, fixed_width
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.translation import tr, tr_count, word
@@ -338,11 +338,11 @@ _Counted = tuple[
 
 
 class SourceList(QWidget):
-    """Displays the document's sources and does with them what hands want."""
+    """Displays the state's sources and does with them what hands want."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
         self._counted: WeakKeyDictionary[CameraSource, tuple[_Counted, int]] = WeakKeyDictionary()
@@ -350,7 +350,7 @@ class SourceList(QWidget):
         self.none = QRadioButton(tr("no camera"))
         self.none.setObjectName("cameras_none")
         self.none.setToolTip(tr("Judge nothing, draw no camera"))
-        self.none.clicked.connect(lambda: document.camera_sources.set_active_camera(NO_CAMERA))
+        self.none.clicked.connect(lambda: services.camera_sources.set_active_camera(NO_CAMERA))
         self._group.addButton(self.none, _NO_CAMERA_ID)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
@@ -359,11 +359,11 @@ class SourceList(QWidget):
 
     def refresh(self) -> None:
         """Show the sources as they are now."""
-        sources = tuple(self._document.state.sources)
+        sources = tuple(self._services.state.sources)
         if sources != self._listed:
             self._build(sources)
         self.none.setVisible(bool(sources))
-        self.none.setChecked(self._document.state.active is None)
+        self.none.setChecked(self._services.state.active is None)
         for row, source in zip(self.rows, sources, strict=True):
             row.show_source(source)
             self._show_state(row, source)
@@ -386,39 +386,39 @@ class SourceList(QWidget):
             self.rows.append(row)
 
     def _connect(self, row: SourceRow, source: CameraSource) -> None:
-        document = self._document
+        services = self._services
         row.activated.connect(lambda: self._activate(source))
-        row.renamed.connect(lambda name: document.camera_sources.rename_source(source, name))
+        row.renamed.connect(lambda name: services.camera_sources.rename_source(source, name))
         row.recoloured.connect(
-            lambda colour: document.camera_sources.set_source_colour(source, colour)
+            lambda colour: services.camera_sources.set_source_colour(source, colour)
         )
-        row.shown.connect(lambda shown: document.camera_sources.set_source_visible(source, shown))
+        row.shown.connect(lambda shown: services.camera_sources.set_source_visible(source, shown))
         row.removed.connect(lambda: self._remove(source))
 
     def _activate(self, source: CameraSource) -> None:
-        if self._document.state.active is not source:
-            self._document.camera_sources.set_active_camera(
-                self._document.state.sources.index(source)
+        if self._services.state.active is not source:
+            self._services.camera_sources.set_active_camera(
+                self._services.state.sources.index(source)
             )
 
     def _remove(self, source: CameraSource) -> None:
-        if source is self._document.shot_track.source:
-            self._document.shot_track.forget()
+        if source is self._services.shot_track.source:
+            self._services.shot_track.forget()
         elif source.files is None:
-            self._document.live_fit.set_wanted(False)
+            self._services.live_fit.set_wanted(False)
         else:
-            self._document.camera_sources.remove_camera_set(
-                self._document.state.sources.index(source)
+            self._services.camera_sources.remove_camera_set(
+                self._services.state.sources.index(source)
             )
 
     # --- what a row says -----------------------------------------------------------------------
 
     def _show_state(self, row: SourceRow, source: CameraSource) -> None:
-        document = self._document
+        services = self._services
         jac, tip = self._jac(source)
         matched, matched_tip = self._matched(source)
         row.show_state(
-            active=source is document.state.active,
+            active=source is services.state.active,
             jac=jac,
             jac_tip=tip,
             model=self._model(source),
@@ -429,16 +429,16 @@ class SourceList(QWidget):
 
     def _jac(self, source: CameraSource) -> tuple[str, str]:
         """Mean JaC of the set, and what it is the mean of."""
-        document = self._document
-        if document.state.blind:
+        services = self._services
+        if services.state.blind:
             return "JaC –", tr("Blind mode hides how the sources do")
-        mean = source.mean_jac(document.state.tau)
+        mean = source.mean_jac(services.state.tau)
         if mean is None:
             return "JaC –", tr("No frame has both annotated elements and a camera of this source")
         frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
-        if document.set_scores.running:
+        if services.dataset_scores.running:
             frames = tr("{frames} so far", frames=frames)
-        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=document.state.tau, frames=frames)
+        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=services.state.tau, frames=frames)
         if bad := len(source.problems):
             tip = tr_count(
                 bad,
@@ -446,7 +446,7 @@ class SourceList(QWidget):
                 "{mean}; {n:,} cameras cannot be read and take no part",
                 mean=tip,
             )
-        return f"JaC {mean:.3f}", f"{tip}\n{document.state.setup.describe()}"
+        return f"JaC {mean:.3f}", f"{tip}\n{services.state.setup.describe()}"
 
     def _model(self, source: CameraSource) -> str:
         """The camera model: of the set when it has one, else of the frame on screen."""
@@ -455,7 +455,7 @@ class SourceList(QWidget):
 
     def _model_words(self, source: CameraSource) -> str:
         models = source.models
-        known = self._document.source_frames.of(source)
+        known = self._services.source_frames.of(source)
         camera = known.camera if known is not None else None
         if len(models) == 1:
             words = models[0]
@@ -469,8 +469,8 @@ class SourceList(QWidget):
 
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """Return how many frames have a camera, and which of these cannot be used."""
-        workspace, cameras = self._document.state.workspace, source.camera_set
-        if source is self._document.shot_track.source:
+        workspace, cameras = self._services.state.workspace, source.camera_set
+        if source is self._services.shot_track.source:
             count = len(cameras.frames)
             words = tr_count(count, "{n:,} frame followed", "{n:,} frames followed")
             return words, tr(_FOLLOWED_TIP)
@@ -508,12 +508,12 @@ class SourceList(QWidget):
     def _problem(self, source: CameraSource) -> str:
         """Why a source that is not judged has nothing to show of this frame; the panel's notes say
         it of the active one."""
-        document = self._document
-        known = document.source_frames.of(source)
-        if known is None or source is document.state.active:
+        services = self._services
+        known = services.source_frames.of(source)
+        if known is None or source is services.state.active:
             return ""
         if source.files is None:
-            return known.notice if document.state.projection_visible and not known.camera else ""
+            return known.notice if services.state.projection_visible and not known.camera else ""
         if known.error:
             return tr("cannot be used here: {error}", error=known.error)
         return tr("no camera for this frame") if known.camera is None else ""

@@ -44,8 +44,8 @@ from procc_annotator.gui.panels.field_map.painting import (
 )
 from procc_annotator.gui.panels.findings.finding_rows import findings_by_element, reasons_of
 from procc_annotator.gui.roles import give_role
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.translation import tr
@@ -73,9 +73,9 @@ _WAYS = {
 
 
 class FieldMapPanel(QWidget):
-    """Displays the document's field, annotation, score, selection and hover; clicks select."""
+    """Displays the state's field, annotation, score, selection and hover; clicks select."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         give_role(self, QAccessible.Role.Canvas)
         self.setObjectName("field_map_panel")
@@ -84,32 +84,32 @@ class FieldMapPanel(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self._document = document
-        self._shape = FieldShape.of(document.state.field)
+        self._services = services
+        self._shape = FieldShape.of(services.state.field)
         self._states: dict[str, ElementState] = {}
         self._next: AnnotationSuggestion | None = None
         self._findings: Mapping[str, tuple[StoredFinding, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             judged,
-            document.review.notVisibleChanged,
-            document.label_check.changed,
-            document.ghosts.changed,
+            services.review.notVisibleChanged,
+            services.label_check.changed,
+            services.ghosts.changed,
         )
         # After the canvas was painted, too: no one looks at the map first.
-        document.store.watch_visible(
+        services.store.watch_visible(
             self,
             self.update,
             lambda s: (s.selection, s.hovered_class, s.projection_visible),
-            document.disagreement.changed,
-            document.uncertainty.changed,
-            document.map_sight.changed,
+            services.disagreement.changed,
+            services.uncertainty.changed,
+            services.visible_region.changed,
         )
-        document.store.watch(lambda s: s.field, self._take_field)
-        document.field_choice.preparing.append(FieldShape.of)
+        services.store.watch(lambda s: s.field, self._take_field)
+        services.field_choice.preparing.append(FieldShape.of)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -134,7 +134,7 @@ class FieldMapPanel(QWidget):
         return self._placement().anchors[self._shape.names.index(class_name)]
 
     def _take_field(self) -> None:
-        field = self._document.state.field
+        field = self._services.state.field
         if [e.name for e in field.elements] != list(self._shape.names):
             self._view.reset()
         self._shape = FieldShape.of(field)
@@ -149,11 +149,11 @@ class FieldMapPanel(QWidget):
             return
         event.accept()
         anchors = dict(zip(self._shape.names, self._placement().anchors, strict=True))
-        chosen = self._document.state.selected_class
+        chosen = self._services.state.selected_class
         if chosen not in anchors:
-            self._document.selecting.select_class(next(iter(anchors), None), continues=True)
+            self._services.selection.select_class(next(iter(anchors), None), continues=True)
         elif (found := nearest(anchors[chosen], anchors, way)) is not None:
-            self._document.selecting.select_class(found, continues=True)
+            self._services.selection.select_class(found, continues=True)
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -169,7 +169,7 @@ class FieldMapPanel(QWidget):
             self.update()
             return
         hovered = self.class_at(event.position())
-        self._document.selecting.hover_class(hovered)
+        self._services.selection.hover_class(hovered)
         if hovered is None:
             self.unsetCursor()
         else:
@@ -184,7 +184,7 @@ class FieldMapPanel(QWidget):
         if moved:
             self.unsetCursor()
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._document.selecting.select_class(self.class_at(event.position()), continues=True)
+            self._services.selection.select_class(self.class_at(event.position()), continues=True)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.class_at(event.position()) is None:
@@ -192,7 +192,7 @@ class FieldMapPanel(QWidget):
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
-        self._document.selecting.hover_class(None)
+        self._services.selection.hover_class(None)
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent):
@@ -213,8 +213,8 @@ class FieldMapPanel(QWidget):
 
     def _heading(self, name: str) -> str:
         """Return what a class is called, and its key."""
-        title = class_title(self._document.state.field, name)
-        keys = key_text(self._document.state.field, name, self._document.state.keymap)
+        title = class_title(self._services.state.field, name)
+        keys = key_text(self._services.state.field, name, self._services.state.keymap)
         return f"{title}  ({keys})" if keys else title
 
     # --- what next -----------------------------------------------------------------------------
@@ -239,8 +239,8 @@ class FieldMapPanel(QWidget):
     # --- drawing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        document = self._document
-        shown = element_states(document), findings_by_element(document), document.ghosts.suggestion
+        services = self._services
+        shown = element_states(services), findings_by_element(services), services.ghosts.suggestion
         if shown != (self._states, self._findings, self._next):
             self._states, self._findings, self._next = shown
             self.update()
@@ -248,17 +248,17 @@ class FieldMapPanel(QWidget):
     def _room(self) -> QRectF:
         """The part of the widget that the map has: there is text above and below."""
         # The line of what is next has its room also before there is anything to say.
-        lines = 2 if self._document.ghosts.suggesting else 1
+        lines = 2 if self._services.ghosts.suggesting else 1
         line = self.fontMetrics().height()
-        above = line if self._document.state.field.own_terms else 0
+        above = line if self._services.state.field.own_terms else 0
         return QRectF(self.rect()).adjusted(
             _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
         )
 
     def _placement(self) -> Placement:
         """Return where the field is in the widget; worked out again only when that changes."""
-        room, view, sight = self._room(), self._view, self._document.map_sight
-        needed = {*self._states, self._document.state.selected_class}
+        room, view, sight = self._room(), self._view, self._services.visible_region
+        needed = {*self._states, self._services.state.selected_class}
         part = part_to_show(self._shape, sight, needed, room)
         key = self._shape, room.getRect(), view.zoom, view.shift.toTuple(), sight.turns, part
         if self._drawn is None or self._drawn[0] != key:
@@ -271,7 +271,7 @@ class FieldMapPanel(QWidget):
             painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
             painter.setClipRect(self._room().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN - 2))
             placed = self._placement()
-            paint_ground(painter, placed, self._document.map_sight.shown, self.palette())
+            paint_ground(painter, placed, self._services.visible_region.shown, self.palette())
             self._paint_metres(painter, placed)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 painter.setOpacity(_FAINT if self._out_of_sight(self._shape.names[index]) else 1.0)
@@ -286,41 +286,41 @@ class FieldMapPanel(QWidget):
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
         name = self._shape.names[index]
         return (
-            name == self._document.state.selected_class,
-            name == self._document.state.hovered_class,
+            name == self._services.state.selected_class,
+            name == self._services.state.hovered_class,
             name in self._states,
         )
 
     def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
         """Bands of the map in metres that is shown."""
-        found = self._document.uncertainty.value or self._document.disagreement.value
+        found = self._services.uncertainty.value or self._services.disagreement.value
         if found is not None:
             paint_metres(painter, placed, found.field)
 
     def _out_of_sight(self, name: str) -> bool:
         """Return whether an element is faint: the camera does not see it, and no one asks for
         it."""
-        document = self._document
-        if (sight := document.map_sight.shown) is None or name in sight.names:
+        services = self._services
+        if (sight := services.visible_region.shown) is None or name in sight.names:
             return False
         return self._states.get(name) is None and name not in (
-            document.state.selected_class,
-            document.state.hovered_class,
+            services.state.selected_class,
+            services.state.hovered_class,
         )
 
     def _paint_element(self, painter: QPainter, placed: Placement, index: int) -> None:
         name = self._shape.names[index]
         state = self._states.get(name, ElementState.UNTOUCHED)
-        hovered = name == self._document.state.hovered_class
+        hovered = name == self._services.state.hovered_class
         polygon = placed.polygons[index]
         if polygon.count() == 1:
-            chosen = name == self._document.state.selected_class
+            chosen = name == self._services.state.selected_class
             paint_spot(
                 painter, polygon.at(0), state, self.palette(), chosen=chosen, hovered=hovered
             )
             return
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
-        if name == self._document.state.selected_class:
+        if name == self._services.state.selected_class:
             painter.setPen(_round_pen(QColor(tones.OUTLINE), width + 6))
             painter.drawPolyline(polygon)
             painter.setPen(_round_pen(QColor(tones.HALO), width + 4))
@@ -343,7 +343,7 @@ class FieldMapPanel(QWidget):
 
     def _paint_dimensions(self, painter: QPainter) -> None:
         """Paint the field's own dimensions above it."""
-        text = self._document.state.field.own_terms
+        text = self._services.state.field.own_terms
         if not text:
             return
         painter.setPen(self.palette().color(QPalette.ColorRole.Text))
@@ -356,13 +356,13 @@ class FieldMapPanel(QWidget):
         if self._next is not None:
             following = tr(
                 "Next: {title}, {before:.1f} → {after:.1f} px",
-                title=class_title(self._document.state.field, self._next.name),
+                title=class_title(self._services.state.field, self._next.name),
                 before=self._next.sd_before_px,
                 after=self._next.sd_after_px,
             )
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
             self._paint_line(painter, following, 1)
-        name = self._document.state.hovered_class or self._document.state.selected_class
+        name = self._services.state.hovered_class or self._services.state.selected_class
         if name is None:
             text = tr("Click an element to choose its class")
             painter.setPen(muted(self.palette()))

@@ -15,7 +15,7 @@ from procc_annotator.gui.canvas.map_painting import paint_shapes
 from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
 from procc_annotator.gui.state.map_shapes import MapShapes
-from procc_annotator.gui.state.maps import MapSight
+from procc_annotator.gui.state.maps import VisibleFieldRegion
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import VisibleField
@@ -189,7 +189,7 @@ def ground_colour(palette: QPalette, share: float = 1.0) -> QColor:
 
 
 def part_to_show(
-    shape: FieldShape, sight: MapSight, needed: Collection[str | None], room: QRectF
+    shape: FieldShape, sight: VisibleFieldRegion, needed: Collection[str | None], room: QRectF
 ) -> Bounds | None:
     """The part of the map to lay out; None: all of it.
 

@@ -21,7 +21,7 @@ from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.canvas.finding_sign import finding_icon, paint_finding_sign
 from procc_annotator.gui.panels.tables import Index, list_rows
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.translation import tr, word
 
@@ -42,9 +42,9 @@ _WRAPPED = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentF
 class FindingsModel(QAbstractListModel):
     """Rows of findings, of one frame or of many."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
-        self._document = document
+        self._services = services
         self.entries: list[Entry] = []
         self.with_frames = False
 
@@ -85,7 +85,7 @@ class FindingsModel(QAbstractListModel):
     def texts(self, row: int) -> tuple[str, str, str]:
         """The frame (empty in a list of one frame), word and elements, reason."""
         frame, found = self.entries[row]
-        finding, title = found.finding, self._document.state.field.title_of
+        finding, title = found.finding, self._services.state.field.title_of
         elements = " · ".join(dict.fromkeys(tr(title(name)) for name in finding.elements))
         head = f"{tr(WORDS[finding.severity])}: {elements}"
         return frame if self.with_frames else "", head, tr(finding.reason)
@@ -218,10 +218,10 @@ def _boxes(row: QRect, texts: tuple[str, str, str], font: QFont) -> tuple[QRect,
     return boxes[0], boxes[1], boxes[2]
 
 
-def findings_by_element(document: Document) -> dict[str, tuple[StoredFinding, ...]]:
+def findings_by_element(services: Services) -> dict[str, tuple[StoredFinding, ...]]:
     """Findings of the frame on screen by the class they are marked at, the surest first."""
     by_class: dict[str, list[StoredFinding]] = {}
-    for found in document.label_check.shown:
+    for found in services.label_check.shown:
         for name, _ in found.places:
             by_class.setdefault(name, []).append(found)
     return {
@@ -238,8 +238,8 @@ def reasons_of(found: Iterable[StoredFinding]) -> str:
 class FindingSigns:
     """Signs in a column that has words of its own."""
 
-    def __init__(self, document: Document) -> None:
-        self._document = document
+    def __init__(self, services: Services) -> None:
+        self._services = services
         self._shown: dict[str, tuple[StoredFinding, ...]] = {}
         self._icons: dict[Severity, QIcon] = {}
 
@@ -256,7 +256,7 @@ class FindingSigns:
         self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int
     ) -> list[QTreeWidgetItem]:
         """Give every element the sign of its surest finding; the rows that are others now."""
-        found = findings_by_element(self._document)
+        found = findings_by_element(self._services)
         others: list[QTreeWidgetItem] = []
         if found == self._shown:
             return others

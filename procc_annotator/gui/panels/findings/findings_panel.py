@@ -28,25 +28,25 @@ from procc_annotator.gui.panels.findings.finding_rows import (
     FindingsModel,
 )
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 
 
-def frame_words(document: Document) -> str:
+def frame_words(services: Services) -> str:
     """Of the frame on screen: nothing found, or which rules have not been examined and why.
 
     Empty if there are findings and every rule was examined.
     """
-    check, frame = document.label_check, document.state.frame
+    check, frame = services.label_check, services.state.frame
     if frame is None:
         return tr("No frames.\nOpen a folder of pictures to check their labels.")
-    if not document.state.annotation.annotated:
+    if not services.state.annotation.annotated:
         return tr("Nothing is annotated in this frame.")
     checked = check.checked
     if checked is None:
         return "" if check.shown else tr("Checking this frame…")
     found = bool(check.shown)
-    limit = _limit(document, checked.failure)
+    limit = _limit(services, checked.failure)
     if limit:
         nothing = tr("Nothing found by the rules that need no camera.")
         return limit if found else f"{nothing}\n{limit}"
@@ -62,12 +62,12 @@ def frame_words(document: Document) -> str:
     return tr("Nothing found in this frame.")
 
 
-def _limit(document: Document, failure: str) -> str:
-    if not document.state.projection_visible:
+def _limit(services: Services, failure: str) -> str:
+    if not services.state.projection_visible:
         return tr(
             "Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter)."
         )
-    checked = document.label_check.checked
+    checked = services.label_check.checked
     if checked is not None and not checked.fitted:
         return tr("The live fit is off: only the rules that need no camera are looked at.")
     if failure:
@@ -77,18 +77,18 @@ def _limit(document: Document, failure: str) -> str:
     return ""
 
 
-def set_words(document: Document) -> str:
+def set_words(services: Services) -> str:
     """Of the whole set: nothing found, or what was not checked.
 
     Empty if there are findings and every frame was checked.
     """
-    check, workspace = document.label_check, document.state.workspace
+    check, workspace = services.label_check, services.state.workspace
     if workspace is None or not workspace.frames:
         return tr("No frames.\nOpen a folder of pictures to check their labels.")
     if check.running:
         return "" if check.known.in_set() else tr("Checking the set…")
     problems = ""
-    if document.state.blind:
+    if services.state.blind:
         problems = tr("Blind: only committed frames are checked with a camera.")
     if check.problems:
         count = len(check.problems)
@@ -131,7 +131,7 @@ _MOST_REMEDIES = 4
 
 
 class FindingsPanel(QWidget):
-    """Displays `document.label_check`; anyone who does the work listens to its signals."""
+    """Displays `services.label_check`; anyone who does the work listens to its signals."""
 
     goTo = Signal(str, object)  # a frame and what was found in it
     remedyWanted = Signal(object, object)  # what was found, and the remedy
@@ -141,21 +141,21 @@ class FindingsPanel(QWidget):
     stopWanted = Signal()
     exportWanted = Signal()
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("findings_panel")
-        self._document = document
-        self._check = document.label_check
+        self._services = services
+        self._check = services.label_check
         self._following = False
         self._build()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
             self._check.changed,
             self._check.framesChanged,
             self._check.currentChanged,
-            document.live_fit.changed,
+            services.live_fit.changed,
         )
         self._check.progressed.connect(self._show_progress)
         self._refresh()
@@ -174,7 +174,7 @@ class FindingsPanel(QWidget):
         self.note.setTextFormat(Qt.TextFormat.RichText)
         self.note.linkActivated.connect(lambda _: self.restoreWanted.emit())
         layout.addWidget(self.note)
-        self.model = FindingsModel(self._document)
+        self.model = FindingsModel(self._services)
         self.model.setParent(self)
         self.list = FindingsList()
         self.list.setObjectName("findings_list")
@@ -245,7 +245,7 @@ class FindingsPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        check, frame = self._check, self._document.state.frame
+        check, frame = self._check, self._services.state.frame
         whole_set = self.scope.currentIndex() == _SET
         every: list[Entry]
         if whole_set:
@@ -260,7 +260,7 @@ class FindingsPanel(QWidget):
             button.setToolTip(tr("{findings}; click to list them or not", findings=many))
             button.setAccessibleName(many)
         entries = [(n, f) for n, f in every if f.finding.severity in check.severities]
-        words = set_words(self._document) if whole_set else frame_words(self._document)
+        words = set_words(self._services) if whole_set else frame_words(self._services)
         hidden = len(every) - len(entries)
         if hidden and not entries:
             words = tr_count(
@@ -273,13 +273,13 @@ class FindingsPanel(QWidget):
         self._stack.setCurrentWidget(self.list if entries else self.empty)
         self._show_note(words if entries else "", whole_set)
         self._show_remedies()
-        self.check_button.setEnabled(self._document.state.workspace is not None)
+        self.check_button.setEnabled(self._services.state.workspace is not None)
         self.export_button.setEnabled(check.known.count > 0)
 
     def _show_entries(self, entries: list[Entry], whole_set: bool) -> None:
         self._following = True
         self.model.show_entries(entries, with_frames=whole_set)
-        frame = self._document.state.frame
+        frame = self._services.state.frame
         row = self.model.row_of(frame.name if frame is not None else "", self._check.current)
         index = self.model.index(row) if row >= 0 else QModelIndex()
         if row >= 0 and index != self.list.currentIndex():
@@ -317,7 +317,7 @@ class FindingsPanel(QWidget):
                     self.remedyWanted.emit(found, remedy)
 
                 wanted.append((f"{text} (F12)" if at == 0 else text, "", do))
-            frame = self._document.state.frame
+            frame = self._services.state.frame
             name = frame.name if frame is not None else ""
             tip = tr("Do not show it again until the points of its elements change")
             wanted.append(

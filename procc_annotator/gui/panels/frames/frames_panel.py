@@ -30,8 +30,8 @@ from procc_annotator.gui.panels.tables import list_rows
 from procc_annotator.gui.panels.widgets import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, after_paint
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
+from procc_annotator.gui.state.services import Services
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
 
@@ -44,12 +44,12 @@ class FrameFilter(QObject):
     found = Signal(object)  # list[int] | None
     problem = Signal(str)  # what is wrong with the text, or still missing; "" when nothing is
 
-    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+    def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._text = ""
-        self._query = parse_query("", document.state.field)
-        document.store.watch(select.field, lambda: self.set_text(self._text))
+        self._query = parse_query("", services.state.field)
+        services.store.watch(select.field, lambda: self.set_text(self._text))
         self._searching = LatestOnlyTask(self, self.problem.emit)
 
     @property
@@ -61,7 +61,7 @@ class FrameFilter(QObject):
         """Read a filter; one that cannot be read leaves the frames as they are."""
         self._text = text
         try:
-            query = parse_query(text, self._document.state.field)
+            query = parse_query(text, self._services.state.field)
         except UsageError as error:
             self.problem.emit(str(error))
             return
@@ -72,7 +72,7 @@ class FrameFilter(QObject):
     def search(self) -> None:
         """Ask all frames again."""
         self._searching.cancel()
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if workspace is None or self._query.is_empty:
             self.found.emit(None)
             return
@@ -88,20 +88,20 @@ class FrameFilter(QObject):
 
     def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
         """Return what is known of each frame, from values that another thread may look at."""
-        document = self._document
-        database = document.review.database
+        services = self._services
+        database = services.review.database
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
-        unsaved = frozenset(document.state.unsaved)
-        source = document.state.active
+        unsaved = frozenset(services.state.unsaved)
+        source = services.state.active
         broken = frozenset(source.problems) if source is not None else frozenset()
         cameras = source.camera_set.frames if source is not None else {}
-        audits, tau = dict(document.auditing.active_audits), document.state.tau
+        audits, tau = dict(services.scoring.active_audits), services.state.tau
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
-        needs_annotation, reveals = self._query.needs_annotation, document.state.reveals
-        allowed = document.auditing.frame_scores.allowed
-        verdicts = _Verdicts(document.review.all_verdicts(), allowed)
+        needs_annotation, reveals = self._query.needs_annotation, services.state.reveals
+        allowed = services.scoring.frame_scores.allowed
+        verdicts = _Verdicts(services.review.all_verdicts(), allowed)
         asked = workspace.frames if self._query.needs_check else ()
-        findings = {f.name: document.label_check.known.severities_of(f.name) for f in asked}
+        findings = {f.name: services.label_check.known.severities_of(f.name) for f in asked}
 
         def jac(name: str, at: float | None) -> float | None:
             return FrameScores(audits, at if at is not None else tau, allowed).get(name)
@@ -172,32 +172,32 @@ class FramesPanel(QWidget):
     left = Signal()  # a frame was chosen: the keyboard belongs to the canvas again
 
     def __init__(
-        self, document: Document, cache: FrameCache, parent: QWidget | None = None
+        self, services: Services, cache: FrameCache, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("frames_panel")
-        self._document = document
-        self.model = FramesModel(document, cache)
+        self._services = services
+        self.model = FramesModel(services, cache)
         self.model.setParent(self)
-        self.frame_filter = FrameFilter(document, self)
+        self.frame_filter = FrameFilter(services, self)
         self.frame_filter.found.connect(self._take_found)
         self.frame_filter.problem.connect(self._tell_problem)
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
-        document.store.watch(select.dataset, self._take_dataset)
+        services.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = after_paint(self, self._follow_frames)
         self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
-        document.store.watch(select.annotation, self._follow_soon)
-        document.store.events.framesEdited.connect(self._take_edited)
-        document.store.watch(select.unsaved, self.model.take_save_state)
-        document.store.watch(select.unsaved, self._search_soon.start)
-        document.store.watch(select.dataset_scores, self._take_scores)
-        document.store.events.frameScoresChanged.connect(self._take_scores)
-        document.review.statusChanged.connect(self._take_status)
-        document.label_check.framesChanged.connect(self._take_status)
+        services.store.watch(select.annotation, self._follow_soon)
+        services.store.events.framesEdited.connect(self._take_edited)
+        services.store.watch(select.unsaved, self.model.take_save_state)
+        services.store.watch(select.unsaved, self._search_soon.start)
+        services.store.watch(select.dataset_scores, self._take_scores)
+        services.store.events.frameScoresChanged.connect(self._take_scores)
+        services.review.statusChanged.connect(self._take_status)
+        services.label_check.framesChanged.connect(self._take_status)
         self.model.figures.changed.connect(self.list.viewport().update)
         self._take_dataset()
 
@@ -253,11 +253,11 @@ class FramesPanel(QWidget):
 
     def _take_dataset(self) -> None:
         self.model.reset()
-        self._revealed = self._document.state.frame_index
+        self._revealed = self._services.state.frame_index
         self.filter.clear()
         self.frame_filter.search()
         self.model.take_save_state()
-        self._due = {self._document.state.frame_index}
+        self._due = {self._services.state.frame_index}
         self._show_which()
         self._show_current()
 
@@ -387,10 +387,10 @@ class FramesPanel(QWidget):
         super().changeEvent(event)
 
     def _show_current(self) -> None:
-        if self._revealed != self._document.state.frame_index:
-            self._revealed = self._document.state.frame_index
+        if self._revealed != self._services.state.frame_index:
+            self._revealed = self._services.state.frame_index
             self.model.reveal(self._revealed)
-        row = self.model.row_showing(self._document.state.frame_index)
+        row = self.model.row_showing(self._services.state.frame_index)
         index = self.model.index(row) if row >= 0 else QModelIndex()
         if index != self.list.currentIndex():
             self.list.setCurrentIndex(index)
@@ -401,18 +401,18 @@ class FramesPanel(QWidget):
 
     def _go(self, current: QModelIndex, previous: QModelIndex) -> None:
         if current.isValid() and (frame := self.model.frame_index(current.row())) >= 0:
-            self._document.walk.go_to(frame)
+            self._services.navigator.go_to(frame)
 
     def _follow_soon(self) -> None:
         """Another frame is on screen, or what is annotated in it is another thing."""
-        self._due.add(self._document.state.frame_index)
+        self._due.add(self._services.state.frame_index)
         self._soon.start()
 
     def _follow_frames(self) -> None:
         for index in self._due:
             self.model.recount(index)
             self.model.repaint(index)
-        self._due = {self._document.state.frame_index}  # it may be edited and left at once
+        self._due = {self._services.state.frame_index}  # it may be edited and left at once
         self._show_current()
 
     def _take_edited(self, indices: list[int]) -> None:
@@ -431,11 +431,11 @@ class FramesPanel(QWidget):
 
     def _repaint(self, name: str) -> None:
         """Paint the row of a frame again, or those of all (an empty name)."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         index = workspace.index.get(name) if workspace is not None else None
         if index is None:
             self.list.viewport().update()
-        elif index == self._document.state.frame_index:
+        elif index == self._services.state.frame_index:
             self._soon.start()
         else:
             self.model.repaint(index)

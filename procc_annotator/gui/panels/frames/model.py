@@ -22,7 +22,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
 
@@ -36,9 +36,9 @@ class FolderFigures(QObject):
 
     changed = Signal()
 
-    def __init__(self, document: Document, parent: QObject) -> None:
+    def __init__(self, services: Services, parent: QObject) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self._names: list[str] = []
         self._done = np.zeros(0, dtype=bool)
         self._jac = np.zeros(0)
@@ -57,7 +57,7 @@ class FolderFigures(QObject):
 
     def look_again(self) -> None:
         """Statuses or scores of some frames are other ones."""
-        if self._document.auditing.frame_scores.allowed is not None:
+        if self._services.scoring.frame_scores.allowed is not None:
             self._jac[:] = math.nan  # while blind nothing that was known before stays in sight
         if self._names:
             self._soon.start()
@@ -78,7 +78,7 @@ class FolderFigures(QObject):
             self._go_on.start()
 
     def _count(self) -> None:
-        review, scores = self._document.review, self._document.auditing.frame_scores
+        review, scores = self._services.review, self._services.scoring.frame_scores
         end = perf_counter() + _FIGURES_BUDGET_S
         while self._at < len(self._names) and perf_counter() < end:
             name = self._names[self._at]
@@ -130,9 +130,9 @@ class FramesModel(QAbstractListModel):
     """Rows of the frames that the filter lets through; in a tree also of their folders, which may
     be folded: then the frames in them have no row."""
 
-    def __init__(self, document: Document, cache: FrameCache) -> None:
+    def __init__(self, services: Services, cache: FrameCache) -> None:
         super().__init__()
-        self._document = document
+        self._services = services
         self._rows: range | list[int] = range(0)
         self._count = 0
         self._row_of: dict[int, int] | None = None
@@ -140,7 +140,7 @@ class FramesModel(QAbstractListModel):
         self.folders: tuple[Folder, ...] = ()
         self._folded: set[str] = set()  # while all frames are shown
         self._folded_found: set[str] = set()  # while a filter shows some
-        self.figures = FolderFigures(document, self)
+        self.figures = FolderFigures(services, self)
         self._counts: dict[int, int | str] = {}
         self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
         self._unsaved: frozenset[int] = frozenset()
@@ -148,13 +148,13 @@ class FramesModel(QAbstractListModel):
         self._thumbnails.arrived.connect(self._show_thumbnails)
         self._without_thumbnail: dict[Path, int] = {}  # frames
         self._count_soon = after_paint(self, self._count_some)
-        self.scores = document.auditing.frame_scores
+        self.scores = services.scoring.frame_scores
 
     # --- rows and frames -----------------------------------------------------------------------
 
     def reset(self) -> None:
         """Another dataset was opened."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         self._thumbnails.clear()
         self._counts.clear()
         self._without_thumbnail.clear()
@@ -162,10 +162,10 @@ class FramesModel(QAbstractListModel):
         frames = workspace.frames if workspace is not None else ()
         self._count = len(frames)
         self._shown = None
-        self.scores = self._document.auditing.frame_scores
+        self.scores = self._services.scoring.frame_scores
         names = [frame.name for frame in frames]
         self.folders = folders_of(names)
-        here = self._document.state.frame_index
+        here = self._services.state.frame_index
         self._folded = {folder.path for folder in self.folders if here not in folder}
         self._folded_found.clear()
         self.figures.reset(names if self.folders else [])
@@ -288,7 +288,7 @@ class FramesModel(QAbstractListModel):
         return 0 if parent.isValid() else len(self._rows)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if workspace is None or role not in (
             Qt.ItemDataRole.DisplayRole,
             Qt.ItemDataRole.ToolTipRole,
@@ -301,7 +301,7 @@ class FramesModel(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             count = self._counts.get(self._rows[index.row()])
             problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
-            found = self._document.label_check.known.of(frame.name)
+            found = self._services.label_check.known.of(frame.name)
             errors = (tr(f.finding.reason) for f in found if f.finding.severity is Severity.ERROR)
             return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
         return frame.name
@@ -322,7 +322,7 @@ class FramesModel(QAbstractListModel):
     def info(self, row: int) -> RowInfo | None:
         """Return what a row shows now; what is missing is fetched, and the row reported to be
         another one."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if workspace is None:
             return None
         index = self._rows[row]
@@ -348,10 +348,10 @@ class FramesModel(QAbstractListModel):
             unreadable,
             index in self._unsaved,
             self.scores.get(frame.name),
-            (record := self._document.review.record(frame.name)).status,
+            (record := self._services.review.record(frame.name)).status,
             record.open_comments,
-            self._document.verdicts.shown_verdict(frame.name),
-            self._document.label_check.known.worst(frame.name) is Severity.ERROR,
+            self._services.verdicts.shown_verdict(frame.name),
+            self._services.label_check.known.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
             self._depth(index),
         )
@@ -368,15 +368,15 @@ class FramesModel(QAbstractListModel):
         )
 
     def _camera_problem(self, name: str) -> str:
-        source = self._document.state.active
-        if source is None or not self._document.state.reveals(name):
+        source = self._services.state.active
+        if source is None or not self._services.state.reveals(name):
             return ""
         return source.problems.get(name, "")
 
     def recount(self, frame_index: int) -> None:
         """The frame's annotation changed. In memory it costs nothing to count; a file is read when
         its row is shown."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if workspace is None or not 0 <= frame_index < len(workspace.frames):
             return
         if workspace.loaded_annotation(frame_index) is not None:
@@ -386,13 +386,13 @@ class FramesModel(QAbstractListModel):
 
     def take_save_state(self) -> None:
         """Look again which frames are not saved."""
-        before, self._unsaved = self._unsaved, frozenset(self._document.state.unsaved)
+        before, self._unsaved = self._unsaved, frozenset(self._services.state.unsaved)
         for index in before ^ self._unsaved:
             self.repaint(index)
 
     def take_scores(self) -> None:
         """Look again at the per-frame scores."""
-        self.scores = self._document.auditing.frame_scores
+        self.scores = self._services.scoring.frame_scores
         self.figures.look_again()
 
     def repaint(self, frame_index: int) -> None:
@@ -407,7 +407,7 @@ class FramesModel(QAbstractListModel):
 
     def _count_some(self) -> None:
         """Count elements of waiting rows for a few milliseconds, the newest wish first."""
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         if workspace is None:
             return
         end = perf_counter() + _BUDGET_S

@@ -14,8 +14,8 @@ from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr
 
 Scope = Literal["frame", "set"]
@@ -102,25 +102,25 @@ Restrict = Callable[[PlotRequest], PlotRequest]
 
 
 class PlotSources:
-    """Takes snapshots of the document that another thread may look at.
+    """Takes snapshots of the state that another thread may look at.
 
     ``set_version`` and ``frame_version`` change with what the plots of the set and of the frame on
     screen show; moving on to another frame or tau is no change of the set.
     """
 
-    def __init__(self, document: Document) -> None:
-        self._document = document
+    def __init__(self, services: Services) -> None:
+        self._services = services
         self._names: tuple[str, ...] = ()
         self._order_file: Path | None = None
         self.set_version = self.frame_version = 0
-        store = document.store
+        store = services.store
         store.watch(lambda s: s.workspace, self._take_dataset)
         store.watch(
             lambda s: (s.workspace, s.looks, s.field, s.blind, s.committed), self._change_set
         )
         store.watch(judged, self._change_frame)
-        document.store.events.sourceAuditsChanged.connect(self._change_set)
-        document.review.statusChanged.connect(self._change_set)
+        services.store.events.sourceAuditsChanged.connect(self._change_set)
+        services.review.statusChanged.connect(self._change_set)
         self._take_dataset()
 
     def version(self, scope: Scope) -> int:
@@ -133,53 +133,53 @@ class PlotSources:
 
         The plots of one frame need nothing taken out any more.
         """
-        document = self._document
+        services = self._services
         sources = tuple(
             PlottedSource(
                 source.name,
                 source.colour,
                 number,
                 self._of_frame(source) if scope == "frame" else dict(source.audits),
-                source.camera_set is document.state.active_cameras,
+                source.camera_set is services.state.active_cameras,
                 source.fitted,
             )
-            for number, source in enumerate(document.state.sources)
-            if source.visible or source.camera_set is document.state.active_cameras
+            for number, source in enumerate(services.state.sources)
+            if source.visible or source.camera_set is services.state.active_cameras
         )
         request = PlotRequest(
             sources,
             self._names,
-            document.state.frame_index,
+            services.state.frame_index,
             scope,
             class_row,
-            document.state.tau,
-            document.state.setup.size,
-            tuple(element_titles(document.state.field).values()),
-            document.state.blind if scope == "set" else not document.state.projection_visible,
+            services.state.tau,
+            services.state.setup.size,
+            tuple(element_titles(services.state.field).values()),
+            services.state.blind if scope == "set" else not services.state.projection_visible,
             order_file=self._order_file,
         )
         return request, self._restriction(scope)
 
     def _of_frame(self, source: CameraSource) -> dict[str, FrameAudit]:
         """The audit of the frame on screen; of the active source as the clicks are right now."""
-        document = self._document
-        frame = document.state.frame
-        if frame is None or not document.state.projection_visible:
+        services = self._services
+        frame = services.state.frame
+        if frame is None or not services.state.projection_visible:
             return {}
-        measurement, camera = document.judge.measurement, document.judge.camera
-        if source.camera_set is not document.state.active_cameras:
+        measurement, camera = services.scorer.measurement, services.scorer.camera
+        if source.camera_set is not services.state.active_cameras:
             found = source.audits.get(frame.name)
-        elif measurement is None or camera is None or not document.state.shown_annotation.annotated:
+        elif measurement is None or camera is None or not services.state.shown_annotation.annotated:
             found = None
         else:
-            found = audit_frame(frame.name, camera, "", measurement, document.state.tau)
+            found = audit_frame(frame.name, camera, "", measurement, services.state.tau)
         return {} if found is None else {frame.name: found}
 
     def _restriction(self, scope: Scope) -> Restrict:
-        document = self._document
-        if scope == "frame" or not document.state.blind:
+        services = self._services
+        if scope == "frame" or not services.state.blind:
             return _as_it_is
-        database = document.review.database
+        database = services.review.database
         records = dict(database.records()) if database is not None else {}
 
         def restrict(request: PlotRequest) -> PlotRequest:
@@ -193,7 +193,7 @@ class PlotSources:
         return restrict
 
     def _take_dataset(self) -> None:
-        workspace = self._document.state.workspace
+        workspace = self._services.state.workspace
         self._names = () if workspace is None else tuple(f.name for f in workspace.frames)
         self._order_file = None if workspace is None else workspace.folder / FRAMES_FILE
 

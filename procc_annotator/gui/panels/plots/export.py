@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.plots.data import PlotRequest
 from procc_annotator.gui.panels.plots.legend import Legend
 from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.state.background import run_in_background
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.tables.data_files import CRLF, csv_bytes
 from procc_annotator.report.window_tables import plot_table
@@ -146,9 +146,9 @@ def _png(image: QImage) -> bytes:
 class ExportablePlot(QWidget):
     """A panel with one plot on show, which can be copied and saved."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self.legend = Legend()
         # What is drawn, and what there is to say of it; None until something of this page is.
         self._data: Any = None
@@ -166,7 +166,7 @@ class ExportablePlot(QWidget):
             with self._drawn_sharp(SHARPNESS):
                 image = picture.image()
             QGuiApplication.clipboard().setImage(image)
-            self._document.say(tr("the plot is on the clipboard as a picture"))
+            self._services.say(tr("the plot is on the clipboard as a picture"))
 
     def copy_numbers(self) -> None:
         """Put the plotted numbers on the clipboard as CSV."""
@@ -200,28 +200,28 @@ class ExportablePlot(QWidget):
         """Return whether the plot is not of all frames yet."""
         request = self._request
         of_set = request is not None and request.scope == "set"
-        return of_set and self._document.set_scores.running
+        return of_set and self._services.dataset_scores.running
 
     def _numbers(self, use: Callable[[str], None]) -> None:
         page, data, request = self.page, self._data, self._request
         if request is None or page.is_empty:
-            self._document.say(tr("there is nothing plotted to take along"))
+            self._services.say(tr("there is nothing plotted to take along"))
             return
         run_in_background(
             lambda _: csv_bytes(plot_table(page.table(data, request)), line_end=CRLF).decode(),
             on_result=use,
-            on_error=lambda text: self._document.say(text, "error"),
+            on_error=lambda text: self._services.say(text, "error"),
             owner=self,
         )
 
     def _put_text(self, text: str) -> None:
         QGuiApplication.clipboard().setText(text)
-        self._document.say(tr("the plotted numbers are on the clipboard"))
+        self._services.say(tr("the plotted numbers are on the clipboard"))
 
     def _picture(self) -> PlotPicture | None:
         page, request = self.page, self._request
         if request is None or page.is_empty:
-            self._document.say(tr("there is nothing plotted to take along"))
+            self._services.say(tr("there is nothing plotted to take along"))
             return None
         if request.scope == "frame":
             what = request.frames[request.current]
@@ -231,7 +231,7 @@ class ExportablePlot(QWidget):
                 what = tr("{frames}, as far as scored", frames=what)
         if request.class_row is not None:
             what += f", {tr(request.titles[request.class_row])}"
-        terms = f"{what}; {self._document.state.setup.describe()}"
+        terms = f"{what}; {self._services.state.setup.describe()}"
         return PlotPicture(page, self.legend, (tr(page.title), terms, self._said))
 
     @contextmanager
@@ -249,17 +249,17 @@ class ExportablePlot(QWidget):
             page.draw(data, request)
 
     def _ask(self, suffix: str, filters: str) -> Path | None:
-        if self._document.state.frame is None or self._request is None:
-            self._document.say(tr("there is nothing plotted to take along"))
+        if self._services.state.frame is None or self._request is None:
+            self._services.say(tr("there is nothing plotted to take along"))
             return None
         words = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
         name = f"{words.replace(' ', '_')}.{suffix}"
-        return ask_where(self._document, self, tr("Save the plot"), name, filters)
+        return ask_where(self._services, self, tr("Save the plot"), name, filters)
 
     def _write(self, path: Path, content: Callable[[], bytes]) -> None:
         said = tr("wrote {path}, as far as scored") if self._unfinished else tr("wrote {path}")
         write(
-            self._document,
+            self._services,
             lambda _: write_atomic(path, content()),
             lambda _: said.format(path=path),
             owner=self,

@@ -27,8 +27,8 @@ from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.panels.widgets import choice, empty_state
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
-from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, word
 
 _SCOPES = {"frame": word("This frame"), "set": word("Whole set")}
@@ -55,10 +55,10 @@ def _kinds() -> tuple[_Kind, ...]:
 class PlotsPanel(ExportablePlot):
     """Chooses a plot and what it is of; what it shows is computed in the background for a set."""
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
-        super().__init__(document, parent)
+    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
+        super().__init__(services, parent)
         self.setObjectName("plots_panel")
-        self._sources = PlotSources(document)
+        self._sources = PlotSources(services)
         self._kinds: tuple[_Kind, ...] = ()
         self._made: dict[_Kind, PlotPage[Any]] = {}
         self._elements: tuple[str, ...] = ()  # of the field, by row
@@ -67,12 +67,12 @@ class PlotsPanel(ExportablePlot):
         self._drawn: tuple[object, ...] | None = None
         self._in_sight = False
         self._build()
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._refresh,
             lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
-            document.store.events.sourceAuditsChanged,
-            document.review.statusChanged,
+            services.store.events.sourceAuditsChanged,
+            services.review.statusChanged,
         )
 
     def sizeHint(self) -> QSize:
@@ -84,7 +84,7 @@ class PlotsPanel(ExportablePlot):
         """The elements of the field; the one that was chosen stays, if there is one of its name."""
         row = self.classes.currentData()
         before = self._elements[row] if row not in (None, _ALL_CLASSES) else None
-        titles = element_titles(self._document.state.field)
+        titles = element_titles(self._services.state.field)
         self._elements = tuple(titles)
         blocked = self.classes.blockSignals(True)
         self.classes.clear()
@@ -125,7 +125,7 @@ class PlotsPanel(ExportablePlot):
         self.classes = choice("plots_class", tr("Element"))
         self.classes.setToolTip(tr("Plot the points of one element only"))
         self._offer_classes()
-        self._document.store.watch(select.field, self._offer_classes)
+        self._services.store.watch(select.field, self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
         self.more = self._build_more()
         first = QHBoxLayout()
@@ -188,8 +188,8 @@ class PlotsPanel(ExportablePlot):
         page = self._made.get(self._kind)
         if page is None:
             page = self._made[self._kind] = self._kind()
-            page.tauChosen.connect(self._document.terms.set_tau)
-            page.frameChosen.connect(self._document.walk.go_to)
+            page.tauChosen.connect(self._services.evaluation.set_tau)
+            page.frameChosen.connect(self._services.navigator.go_to)
             page.readout.connect(self._read_out)
             page.changed.connect(self._redraw)
             self._stack.addWidget(page)
@@ -249,10 +249,10 @@ class PlotsPanel(ExportablePlot):
         self._compute(page, key, request, restrict)
 
     def _why_empty(self) -> str:
-        document = self._document
-        if document.state.frame is None:
+        services = self._services
+        if services.state.frame is None:
             return tr("Open a folder of pictures to see plots.")
-        if not document.state.sources:
+        if not services.state.sources:
             return tr(
                 "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
             )

@@ -18,7 +18,7 @@ from procc_annotator.dataset.records import FrameRecord, Status
 from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 
 _FEWEST = 20.0  # frames across the whole strip; nobody wants fewer
@@ -193,9 +193,9 @@ class StripContent(QObject):
 
     changed = Signal()
 
-    def __init__(self, document: Document, parent: QObject) -> None:
+    def __init__(self, services: Services, parent: QObject) -> None:
         super().__init__(parent)
-        self._document = document
+        self._services = services
         self.sequence: FrameSequence | None = None
         self.band = Band.unknown(0)
         self._told: dict[int, TrackedFrame] = {}  # what the band tells, by number
@@ -204,30 +204,30 @@ class StripContent(QObject):
         self.statuses: dict[int, Status] = {}
         self._pending: dict[int, TrackedFrame] = {}  # to be taken down
         self._go_on = after_paint(self, self._take_down)
-        document.sequence.changed.connect(self._begin_anew)
-        document.store.watch(select.dataset, self._begin_anew)
-        document.shot_track.followed.connect(self._take_followed)
-        document.shot_track.changed.connect(self._take_track)
-        document.annotated_frames.changed.connect(self._take_anchors)
-        document.corrections.changed.connect(self._take_dragged)
-        document.review.statusChanged.connect(self._take_statuses)
+        services.sequence.changed.connect(self._begin_anew)
+        services.store.watch(select.dataset, self._begin_anew)
+        services.shot_track.followed.connect(self._take_followed)
+        services.shot_track.changed.connect(self._take_track)
+        services.annotated_frames.changed.connect(self._take_anchors)
+        services.corrections.changed.connect(self._take_dragged)
+        services.review.statusChanged.connect(self._take_statuses)
 
     @property
     def hidden(self) -> bool:
         """Return whether nothing of a camera may be shown."""
-        return self._document.state.blind
+        return self._services.state.blind
 
     @property
     def cuts(self) -> tuple[int, ...]:
         """The first frame of each shot but the first, as far as the shots are known."""
-        return self._document.shot_track.cuts
+        return self._services.shot_track.cuts
 
     def _begin_anew(self) -> None:
-        sequence = self._document.sequence.value
+        sequence = self._services.sequence.value
         if sequence is self.sequence:
             return
         self.sequence = sequence
-        self._document.annotated_frames.set_wanted(sequence is not None)
+        self._services.annotated_frames.set_wanted(sequence is not None)
         self.band, self._told = Band.unknown(0 if sequence is None else sequence.count), {}
         self._take_track()
         self._take_anchors()
@@ -239,7 +239,7 @@ class StripContent(QObject):
         """Other frames than before may be known; most of them are those of before."""
         if (sequence := self.sequence) is None:
             return
-        tracked, told = self._document.shot_track.tracked, self._told
+        tracked, told = self._services.shot_track.tracked, self._told
         self._pending.clear()
         for number in told.keys() - tracked.keys():
             self.band.coverage[number - sequence.first] = math.nan
@@ -268,21 +268,21 @@ class StripContent(QObject):
     def _take_anchors(self) -> None:
         if (sequence := self.sequence) is not None:
             numbers = sequence.numbers.tolist()
-            annotated = sorted(self._document.annotated_frames.indices)
+            annotated = sorted(self._services.annotated_frames.indices)
             self.anchors = tuple(numbers[i] for i in annotated if i < len(numbers))
             self.changed.emit()
 
     def _take_dragged(self, _: str = "") -> None:
-        sequence, workspace = self.sequence, self._document.state.workspace
+        sequence, workspace = self.sequence, self._services.state.workspace
         if sequence is not None and workspace is not None:
             index, numbers = workspace.index, sequence.numbers
-            names = self._document.state.corrected.keys() & index.keys()
+            names = self._services.state.corrected.keys() & index.keys()
             self.dragged = tuple(sorted(int(numbers[index[name]]) for name in names))
             self.changed.emit()
 
     def _take_statuses(self, frame: str = "") -> None:
-        sequence, workspace = self.sequence, self._document.state.workspace
-        database = self._document.review.database
+        sequence, workspace = self.sequence, self._services.state.workspace
+        database = self._services.review.database
         if sequence is None or workspace is None or database is None:
             return
         index, numbers = workspace.index, sequence.numbers

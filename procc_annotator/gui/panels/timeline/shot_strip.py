@@ -31,7 +31,7 @@ from procc_annotator.gui.panels.timeline.content import Axis, StripContent
 from procc_annotator.gui.panels.timeline.painting import Rows, paint_here, paint_strip, strip_rows
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.translation import tr, word
 
@@ -44,15 +44,15 @@ _STATES = {
 }
 
 
-def strip_words(document: Document, content: StripContent, number: int | None) -> str:
+def strip_words(services: Services, content: StripContent, number: int | None) -> str:
     """Number, time and what is known of its camera, in a line."""
     sequence = content.sequence
     if sequence is None or number is None:
         return ""
     index = sequence.index_of.get(number)
     name = None
-    if index is not None and document.state.workspace is not None:
-        name = document.state.workspace.frames[index].name
+    if index is not None and services.state.workspace is not None:
+        name = services.state.workspace.frames[index].name
     said = [
         tr(
             "frame {number} of {first}–{last}",
@@ -75,15 +75,15 @@ def strip_words(document: Document, content: StripContent, number: int | None) -
     status = content.statuses.get(number, Status.UNTOUCHED)
     if status is not Status.UNTOUCHED:
         said.append(tr(status.value, "a frame"))
-    if document.state.reveals(name):
-        said.extend(_of_track(document, number))
+    if services.state.reveals(name):
+        said.extend(_of_track(services, number))
     else:
         said.append(tr("blind: its camera is hidden"))
     return "  ·  ".join(said)
 
 
-def _of_track(document: Document, number: int) -> list[str]:
-    frame = document.shot_track.tracked.get(number)
+def _of_track(services: Services, number: int) -> list[str]:
+    frame = services.shot_track.tracked.get(number)
     if frame is None:
         return []
     said = [tr(_STATES[frame.state], "a frame")]
@@ -130,7 +130,7 @@ class ShotStrip(QWidget):
         content: what is shown.
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
         give_role(self, QAccessible.Role.Slider)
         self.setObjectName("shotStrip")
@@ -140,8 +140,8 @@ class ShotStrip(QWidget):
             tr("The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it")
         )
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the picture
-        self._document = document
-        self.content = StripContent(document, self)
+        self._services = services
+        self.content = StripContent(services, self)
         self._axis: Axis | None = None
         self._followed: FrameSequence | None = None  # what the axis is of
         self._aim: int | None = None  # the number under a hand that drags
@@ -151,7 +151,7 @@ class ShotStrip(QWidget):
         self._painted: QPixmap | None = None
         self._painted_of: tuple[object, ...] = ()
         self.content.changed.connect(self._paint_anew)
-        self._refresher = document.store.watch_visible(
+        self._refresher = services.store.watch_visible(
             self,
             self._follow,
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
@@ -179,7 +179,7 @@ class ShotStrip(QWidget):
     @property
     def number(self) -> int | None:
         """The frame on screen, or the one that the user drags to."""
-        sequence, index = self.content.sequence, self._document.state.frame_index
+        sequence, index = self.content.sequence, self._services.state.frame_index
         if self._aim is not None or sequence is None:
             return self._aim
         return int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
@@ -223,7 +223,7 @@ class ShotStrip(QWidget):
             area,
             colours=self.palette(),
             number=self.number,
-            words=(strip_words(self._document, self.content, self.number), far),
+            words=(strip_words(self._services, self.content, self.number), far),
         )
         painter.end()
 
@@ -330,7 +330,7 @@ class ShotStrip(QWidget):
         if isinstance(event, QHelpEvent) and self.axis is not None:
             number = self._number_under(QPointF(event.pos()))
             QToolTip.showText(
-                event.globalPos(), strip_words(self._document, self.content, number), self
+                event.globalPos(), strip_words(self._services, self.content, number), self
             )
             return True
         if event.type() == QEvent.Type.FontChange:
@@ -347,7 +347,7 @@ class ShotStrip(QWidget):
         if sequence is not None:
             index = sequence.nearest(number)
             self._aim = int(sequence.numbers[index])
-            self._document.walk.come_to(index)
+            self._services.navigator.come_to(index)
             self.update()
 
     def _mark(self, number: int) -> None:
@@ -359,15 +359,15 @@ class ShotStrip(QWidget):
 class StripVisibility(QObject):
     """Shows and hides the strip."""
 
-    def __init__(self, document: Document, editor: Editor, strip: ShotStrip) -> None:
+    def __init__(self, services: Services, editor: Editor, strip: ShotStrip) -> None:
         super().__init__(strip)
-        self._document, self._editor, self._strip = document, editor, strip
+        self._services, self._editor, self._strip = services, editor, strip
         self._wanted, self._begun = True, False
         strip.setVisible(False)
-        document.sequence.changed.connect(self._look)
+        services.sequence.changed.connect(self._look)
         editor.changed.connect(self._note)
-        document.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
-        document.store.watch(select.frame, self._begin)
+        services.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
+        services.store.watch(select.frame, self._begin)
 
     @property
     def wanted(self) -> bool:
@@ -392,4 +392,4 @@ class StripVisibility(QObject):
             self._show()
 
     def _show(self) -> None:
-        self._strip.setVisible(self._wanted and self._document.sequence.value is not None)
+        self._strip.setVisible(self._wanted and self._services.sequence.value is not None)

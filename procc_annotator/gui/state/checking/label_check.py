@@ -24,13 +24,13 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.checking.known_checks import IgnoredFindings, KnownChecks
-from procc_annotator.gui.state.checking.line_pixels import Evidence, PaintWatch
+from procc_annotator.gui.state.checking.line_pixels import Evidence, LinePixels
 from procc_annotator.gui.state.checking.runner import CheckRunner
 from procc_annotator.gui.state.messages import BENT
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
@@ -58,8 +58,8 @@ class LabelCheck(QObject):
         store: Store,
         review: ReviewState,
         live_fit: LiveFit,
-        judge: Judge,
-        paint: PaintWatch,
+        judge: FrameScorer,
+        paint: LinePixels,
     ) -> None:
         super().__init__(store)
         self._store, self._live_fit, self._judge = store, live_fit, judge

@@ -18,7 +18,7 @@ _STAYED_MS = 150  # a frame that is left sooner was only passed
 _KEPT = 8
 
 
-class PaintWatch(ComputedValue[Evidence]):
+class LinePixels(ComputedValue[Evidence]):
     """Line pixels along each element; from the picture alone, so that blind mode may show them.
 
     An element that did not change is not examined again.

@@ -15,7 +15,7 @@ from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.editing.editor import Editing
-from procc_annotator.gui.state.scoring.dataset_scores import Auditing
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr, word
 
@@ -45,7 +45,7 @@ class EditedFrames:
     waiting: int = 0
 
 
-class ManyEdits(QObject):
+class BatchEdits(QObject):
     """Goes through frames, one run at a time. Edits are made on the interface thread: a slice of
     them between what else happens there."""
 
@@ -56,7 +56,7 @@ class ManyEdits(QObject):
         self,
         store: Store,
         editing: Editing,
-        auditing: Auditing,
+        auditing: DatasetScoring,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
@@ -120,7 +120,7 @@ class ManyEdits(QObject):
             return
         for index in self._written:
             problem = workspace.state(index).save_error
-            self._editing.presence.give_back(workspace.frames[index].name)
+            self._editing.frame_lock.give_back(workspace.frames[index].name)
             if problem is None:
                 outcome.edited.append(index)
             else:
@@ -168,7 +168,7 @@ def edit_frame(
     """Change what is annotated in a frame; undo and versions keep what was there.
 
     The frame is locked then: anyone who calls this saves it and gives it back
-    (``editing.presence.give_back``).
+    (``editing.frame_lock.give_back``).
 
     Args:
         change: given what the frame holds once the lock is taken; what it is to hold, or why it is
@@ -187,13 +187,13 @@ def edit_frame(
         if not editing.begin_edit():
             return store.state.why_not_editable or tr("it cannot be edited")
     else:
-        holder = editing.presence.borrow(name)
+        holder = editing.frame_lock.borrow(name)
         if holder is not None:
             return tr("{who} is editing it", who=holder.author or tr("somebody"))
     put = _put_on_screen if here else _put_elsewhere
     why = put(workspace, editing, index, change, label, kind)
     if why:
-        editing.presence.give_back(name)
+        editing.frame_lock.give_back(name)
     return why
 
 

@@ -11,11 +11,11 @@ from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.editing.presence import Presence
+from procc_annotator.gui.state.editing.frame_lock import FrameLock
 from procc_annotator.gui.state.editing.saving import Saver
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.dataset_scores import Auditing
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr, word
@@ -34,13 +34,13 @@ class Editing(QObject):
         self,
         store: Store,
         saver: Saver,
-        presence: Presence,
+        frame_lock: FrameLock,
         review: ReviewState,
-        auditing: Auditing,
+        auditing: DatasetScoring,
     ) -> None:
         super().__init__(store)
         self._store = store
-        self.saver, self.presence, self.review = saver, presence, review
+        self.saver, self.frame_lock, self.review = saver, frame_lock, review
         self._auditing = auditing
         self._warned_of: FrameAnnotation | None = None  # that undo would take others' work away
         self._look_later = False  # at the file of the frame, once nothing is written any more
@@ -49,7 +49,7 @@ class Editing(QObject):
         saver.saved.connect(self._follow_save)
         saver.settled.connect(self._look_if_asked)
         saver.reloaded.connect(self._after_reload)
-        presence.freed.connect(self.take_newer_file)
+        frame_lock.freed.connect(self.take_newer_file)
 
     # --- edits --------------------------------------------------------------------------------
 
@@ -60,7 +60,7 @@ class Editing(QObject):
         if not state.editable:
             say(self._store, state.why_not_editable or tr(_NOTHING_OPEN), "warning")
             return False
-        if self.presence.still_owned():
+        if self.frame_lock.still_owned():
             return True
         if not self._acquire():
             self._say_held()
@@ -235,7 +235,7 @@ class Editing(QObject):
             return
         self._store.events.aboutToLeave.emit()
         seen = self._store.state.annotation
-        if not self.presence.owned:
+        if not self.frame_lock.owned:
             self.take_newer_file()
         state = self._store.state
         if state.annotation is not seen:
@@ -333,8 +333,8 @@ class Editing(QObject):
 
     def _acquire(self) -> bool:
         """Return whether the frame is this window's: anyone who had it may have left it by now."""
-        owned = self.presence.acquire()
-        self._store.update(holder=self.presence.holder)
+        owned = self.frame_lock.acquire()
+        self._store.update(holder=self.frame_lock.holder)
         return owned
 
     def _say_held(self) -> None:

@@ -16,8 +16,8 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.editing.editor import Editing
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.camera_sources import Sources
-from procc_annotator.gui.state.scoring.dataset_scores import Auditing
+from procc_annotator.gui.state.scoring.camera_sources import CameraSourceCommands
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
@@ -37,7 +37,11 @@ class OutsideChanges(QObject):
     """Looks at the files of the set when a person asks, and watches that of the frame on screen."""
 
     def __init__(
-        self, store: Store, editing: Editing, sources: Sources, auditing: Auditing
+        self,
+        store: Store,
+        editing: Editing,
+        sources: CameraSourceCommands,
+        auditing: DatasetScoring,
     ) -> None:
         super().__init__(store)
         self._store = store

@@ -34,7 +34,7 @@ from procc_annotator.gui.state.background import Job, JobControl, Priority, run_
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.evaluation_settings import Terms
+from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
@@ -108,7 +108,7 @@ class FieldChoice(QObject):
 
     changed = Signal()
 
-    def __init__(self, store: Store, review: ReviewState, terms: Terms) -> None:
+    def __init__(self, store: Store, review: ReviewState, terms: EvaluationSettings) -> None:
         super().__init__(store)
         self._store, self._review, self._terms = store, review, terms
         self._default = store.state.field

@@ -13,7 +13,7 @@ from procc_annotator.gui.state.background import LatestOnlyTask, Priority, after
 from procc_annotator.gui.state.editing.editor import Editing, held
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.dataset_scores import Auditing
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.state import ChosenElement
@@ -23,7 +23,7 @@ from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr
 
 
-class FrameWalk(QObject):
+class Navigator(QObject):
     """Goes to frames; what is under way on the one on screen is finished first."""
 
     def __init__(
@@ -31,7 +31,7 @@ class FrameWalk(QObject):
         store: Store,
         cache: FrameCache,
         editing: Editing,
-        auditing: Auditing,
+        auditing: DatasetScoring,
         second: SecondAnnotator,
         outside: OutsideChanges,
     ) -> None:
@@ -147,7 +147,7 @@ class FrameWalk(QObject):
         self.stay()
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
-        self._editing.presence.enter(name)
+        self._editing.frame_lock.enter(name)
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
@@ -158,7 +158,7 @@ class FrameWalk(QObject):
             "picture": None,
             "half": None,
             "picture_error": "",
-            "holder": self._editing.presence.holder,
+            "holder": self._editing.frame_lock.holder,
         }
         if frame is None:
             return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}

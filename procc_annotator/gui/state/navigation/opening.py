@@ -17,7 +17,7 @@ from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.editing.editor import Editing
 from procc_annotator.gui.state.landmarks import PROBLEM, STRANGE, Landmarks
 from procc_annotator.gui.state.navigation.field_choice import FieldChoice
-from procc_annotator.gui.state.navigation.navigator import FrameWalk
+from procc_annotator.gui.state.navigation.navigator import Navigator
 from procc_annotator.gui.state.saying import notify, say
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.store import Store
@@ -30,7 +30,7 @@ class Opening(QObject):
     def __init__(
         self,
         store: Store,
-        walk: FrameWalk,
+        walk: Navigator,
         editing: Editing,
         blind_lock: BlindLock,
         field_choice: FieldChoice,
@@ -96,7 +96,7 @@ class Opening(QObject):
         database = WorkspaceDatabase.open(workspace.root, author)
         workspace.memory.database = database
         review.set_database(database)
-        self._editing.presence.set_dataset(workspace.root, author)
+        self._editing.frame_lock.set_dataset(workspace.root, author)
         self._editing.saver.set_workspace(workspace)
         self._second.close()
         shown = self._field_choice.field_of(workspace, database)

@@ -21,7 +21,7 @@ from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.prediction.proposals import Corrections, Proposals
+from procc_annotator.gui.state.prediction.proposals import CameraCorrections, Proposals
 from procc_annotator.gui.state.prediction.shot_track import ShotTrack
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.store import Store
@@ -57,7 +57,7 @@ def choose_camera(
     return CameraChoice(None if proposal.fit.camera is None else proposal.fit, doubt)
 
 
-class Foresight(QObject):
+class PredictionSource(QObject):
     """The insight that ghosts go by."""
 
     changed = Signal()
@@ -69,7 +69,7 @@ class Foresight(QObject):
         review: ReviewState,
         track: ShotTrack,
         proposals: Proposals,
-        corrections: Corrections,
+        corrections: CameraCorrections,
     ) -> None:
         super().__init__(store)
         self._store, self._live_fit, self._review = store, live_fit, review

@@ -10,7 +10,7 @@ from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.scoring.camera_sources import Sources
+from procc_annotator.gui.state.scoring.camera_sources import CameraSourceCommands
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.palette import FIT
@@ -33,7 +33,7 @@ class FitSource(QObject):
     def __init__(
         self,
         store: Store,
-        sources: Sources,
+        sources: CameraSourceCommands,
         source_frames: SourceFrames,
         live_fit: LiveFit,
     ) -> None:

@@ -20,7 +20,7 @@ from procc_annotator.calibration.prediction.suggestions import AnnotationSuggest
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.prediction.camera_choice import Foresight
+from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.state import same
@@ -38,7 +38,7 @@ class Ghosts(QObject):
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
 
-    def __init__(self, store: Store, foresight: Foresight, review: ReviewState) -> None:
+    def __init__(self, store: Store, foresight: PredictionSource, review: ReviewState) -> None:
         super().__init__(store)
         self._store, self._foresight, self._review = store, foresight, review
         self._wanted = self._suggesting = True

@@ -18,7 +18,7 @@ from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, look_up
-from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr
@@ -66,7 +66,7 @@ class LiveFit(ComputedValue[Fitted]):
         store: Store,
         review: ReviewState,
         blind_lock: BlindLock,
-        judge: Judge,
+        judge: FrameScorer,
     ) -> None:
         self._terms = _Terms(store.state.setup)
         super().__init__(

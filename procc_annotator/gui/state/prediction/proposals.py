@@ -146,7 +146,7 @@ class Proposals(QObject):
         self._derived.invalidate_later()  # there may be the next one to look at
 
 
-class Corrections(QObject):
+class CameraCorrections(QObject):
     """Commands on the state's ``corrected``. Nothing of it is saved: what a person accepts along a
     corrected camera is an edit like any other.
     """

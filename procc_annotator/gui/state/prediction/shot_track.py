@@ -12,8 +12,8 @@ from procc_annotator.dataset.computed_cameras import TrackedCameras
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.scoring.camera_sources import Sources
-from procc_annotator.gui.state.sequences import SequenceWatch
+from procc_annotator.gui.state.scoring.camera_sources import CameraSourceCommands
+from procc_annotator.gui.state.sequences import OpenSequence
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.palette import TRACK
 
@@ -31,7 +31,7 @@ class ShotTrack(QObject):
     followed = Signal(object)  # these frames came while a shot is followed
     forgotten = Signal()  # nothing of what is under way is wanted either
 
-    def __init__(self, store: Store, sequence: SequenceWatch, sources: Sources) -> None:
+    def __init__(self, store: Store, sequence: OpenSequence, sources: CameraSourceCommands) -> None:
         super().__init__(store)
         self._store, self._sequence, self._sources = store, sequence, sources
         self.tracked: dict[int, TrackedFrame] = {}

@@ -19,12 +19,12 @@ from procc_annotator.gui.state.camera_sources import (
 )
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.dataset_scores import Auditing, SetScores
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScores, DatasetScoring
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
 
-class KeptVerdicts:
+class Verdicts:
     """Verdicts on camera sources from files; fits change with the clicks and have none."""
 
     def __init__(self, store: Store, review: ReviewState) -> None:
@@ -67,11 +67,11 @@ class KeptVerdicts:
         return place_of(cameras.path, cameras.format, workspace.folder)
 
 
-class Sources(QObject):
+class CameraSourceCommands(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
     def __init__(
-        self, store: Store, auditing: Auditing, set_scores: SetScores, verdicts: KeptVerdicts
+        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, verdicts: Verdicts
     ) -> None:
         super().__init__(store)
         self._store, self._auditing = store, auditing

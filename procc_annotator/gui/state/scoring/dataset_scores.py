@@ -20,7 +20,7 @@ from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Pri
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.measurement import Measurement, measure_projected
@@ -80,7 +80,7 @@ class _Outcome:
     problem: str
 
 
-class SetScores(QObject):
+class DatasetScores(QObject):
     """Audits the frames of all sources, one source after the other."""
 
     changed = Signal(object, str)  # source, and a frame's name, or "" for many
@@ -284,15 +284,15 @@ def _audit(
 _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
 
 
-class Auditing(QObject):
+class DatasetScoring(QObject):
     """Has the sources looked up and audited again where dataset, frame, terms or cameras differ."""
 
     def __init__(
         self,
         store: Store,
-        judge: Judge,
+        judge: FrameScorer,
         source_frames: SourceFrames,
-        set_scores: SetScores,
+        set_scores: DatasetScores,
     ) -> None:
         super().__init__(store)
         self._store, self._judge = store, judge

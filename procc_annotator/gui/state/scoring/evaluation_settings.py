@@ -17,7 +17,7 @@ from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 
 
-class Terms(QObject):
+class EvaluationSettings(QObject):
     """Changes what scores are computed with."""
 
     def __init__(self, store: Store, review: ReviewState) -> None:

@@ -12,7 +12,7 @@ from procc_annotator.metrics.score import FrameScore, display_score
 from procc_annotator.metrics.setup import EvaluationSetup
 
 
-class Judge:
+class FrameScorer:
     """Measures the annotation on screen against the active camera when a person asks, and again
     only if need be."""
 
@@ -20,7 +20,7 @@ class Judge:
         self._store = store
         self._source_frames = source_frames
         self._of_frame: tuple[EvaluationSetup, str | None, EvaluationSetup] | None = None
-        self._opinion, self._other_opinion = SecondOpinion(), SecondOpinion()
+        self._opinion, self._other_opinion = CachedScore(), CachedScore()
 
     @property
     def tau(self) -> float:
@@ -77,7 +77,7 @@ class Judge:
         return self._other_opinion.of(shown, state.shown_annotation, self)
 
 
-class SecondOpinion:
+class CachedScore:
     """The measurement and score of a camera, computed at access."""
 
     def __init__(self) -> None:
@@ -86,7 +86,7 @@ class SecondOpinion:
         self._score: FrameScore | None = None
 
     def of(
-        self, shown: SourceFrame | None, annotation: FrameAnnotation, terms: Judge
+        self, shown: SourceFrame | None, annotation: FrameAnnotation, terms: FrameScorer
     ) -> tuple[Measurement | None, FrameScore | None]:
         """Measurement and score under the terms of the judge; measured again only if need be."""
         projected = shown.projected if shown is not None else None

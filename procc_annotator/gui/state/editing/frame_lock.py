@@ -12,7 +12,7 @@ BEAT_MS = 10_000
 _LOOK_MS = 2_000
 
 
-class Presence(QObject):
+class FrameLock(QObject):
     """The lock of the frame on screen. It is taken by the first gesture, not by looking."""
 
     changed = Signal()  # somebody else took or left the frame on screen
