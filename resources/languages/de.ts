@@ -772,7 +772,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
    <translation>zurückgenommen</translation>
   </message>
   <message>
@@ -827,7 +827,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>Bild</translation>
   </message>
   <message>
@@ -837,12 +837,12 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
    <translation>Ansicht</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/command_palette.py, the menus]</extracomment>
    <translation>Kamera</translation>
   </message>
   <message>
@@ -851,9 +851,2505 @@
    <translation>Hilfe</translation>
   </message>
   <message>
-   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
-   <extracomment>[procc_annotator/gui/decimal_box.py]</extracomment>
-   <translation>nicht {number:g}: {least:g} bis {most:g}{unit}</translation>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/canvas/annotation_preview.py]</extracomment>
+   <translation>Das Bild kann nicht gezeigt werden</translation>
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>hier ist keine Kamera bekannt, die sich ziehen ließe</translation>
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>zurückgenommen: die Kamera ist wie vor dem Ziehen</translation>
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Blindmodus: es wird keine Kamera gezeigt</translation>
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Überlagerungen sind ausgeblendet (Strg+H)</translation>
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>eine Homographie lässt sich nicht drehen: wählen Sie ein anderes Modell (Bereich Anpassung)</translation>
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Loslassen lässt es hier</translation>
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Esc legt es zurück</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>{n} Pflock hält die Kamera</numerusform>
+    <numerusform>{n} Pflöcke halten die Kamera</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>KAMERA</translation>
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>Pflock weggenommen: {n} Pflock bleibt</numerusform>
+    <numerusform>Pflock weggenommen: {n} Pflöcke bleiben</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Pflock weggenommen: die Kamera ist, wie sie gefunden wurde</translation>
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Pflock</translation>
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>auf eine Linie des Drahtgitters drücken</translation>
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Ziehen bewegt diesen Pflock</translation>
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Klick nimmt ihn weg</translation>
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>eine Stelle des Drahtgitters dorthin ziehen, wo sie hingehört</translation>
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>{title} dorthin ziehen, wo es hingehört: die Kamera folgt</translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Strg+Z nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>VERSCHIEBEN</translation>
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>Ziehen bewegt das Bild</translation>
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Klick und Eingabe tun nichts</translation>
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>Esc nimmt wieder das Werkzeug</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>laden Sie einen zweiten Kamerasatz, um zwischen beiden zu blinken (Strg+L)</translation>
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>Fadenkreuz: die Pfeiltasten bewegen es (Umschalt 0.1 px, Strg 10 px, Strg+Umschalt 100 px), Leertaste klickt, Esc legt es weg</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>zeigen Sie zuerst auf eine Linie: mit der Maus oder mit den Pfeiltasten</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>hier ist keine Linie, auf die ein Punkt passt</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Kamera unlesbar</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>hier keine Kamera</translation>
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Helligkeit</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Kontrast</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Linien verstärken</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Abgenutzte und beschattete Linien hervorholen</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Zurücksetzen</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Das Bild zeigen, wie es ist</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Nur was Sie sehen, ändert sich, nie die Datei</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Alle Werte verschieben</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Werte um das mittlere Grau spreizen</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Nach rechts werden dunkle Teile heller</translation>
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>als Nächstes: {title}</translation>
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
+   <translation>{title}  ±{sd:.1f} px  unsicher</translation>
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{title} hat in diesem Bild keine Punkte: wählen Sie das zu löschende Element</translation>
+  </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>1 Klick von {title} auf {frame} ist unbestätigt aufgehoben: das Element dort wählen, um fortzufahren</translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} mit {n} Punkt auf {frame} beendet</numerusform>
+    <numerusform>{title} mit {n} Punkten auf {frame} beendet</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>wählen Sie zuerst das zu löschende Element: Feldkarte, Liste oder Taste</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt von {title} verworfen</numerusform>
+    <numerusform>{n} Punkte von {title} verworfen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} mit {n} Punkt beendet</numerusform>
+    <numerusform>{title} mit {n} Punkten beendet</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{titles}: anderswo geändert, sehen Sie erst noch einmal hin</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Wie gut die angepasste Kamera ist</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Meter am Boden, 1 σ</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Wie gut die angepasste Kamera ({model}) ist</translation>
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m, von Abseitstechnik verlangt</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Meter am Boden, 1 σ, Median {median:.2f}</translation>
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Meter am Boden</translation>
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m: {percent:.0f} % des sichtbaren Feldes</translation>
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Blind: keine Kamera vor Strg+Eingabe</translation>
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Blindmodus, dieses Bild ist abgegeben</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>
+    <numerusform>{n} Pflock</numerusform>
+    <numerusform>{n} Pflöcke</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}, an der Farbe genau gemacht: {share:.0%} ihrer Linien</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}, nicht genau gemacht: {why}</translation>
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Ziehen verschiebt die Trennlinie (Pfeiltasten auch)</translation>
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Trennlinie der geteilten Ansicht</translation>
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gefunden, unsicher: {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}</translation>
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera der Spur: Umschalt+Eingabe nimmt ihre Elemente an</translation>
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Die Kamera wird im Bild gesucht …</translation>
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Keine Kamera gefunden: {why}</translation>
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gefunden, sicher: {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}: ihre Linien werden gesucht …</translation>
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera der Spur, unsicher: {why}</translation>
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>nichts geändert: schon regelmäßig, oder dort fand sich keine gemalte Linie</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} von {frame} kopiert, entlang der Spur; Umschalt+V bestätigt alle</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} von {frame} kopiert, mit der Kamera verschoben; Umschalt+V bestätigt alle</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} von {frame} kopiert, wie sie waren: keine Bewegung gefunden; Umschalt+V bestätigt alle</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>zurückgenommen: nichts wird begradigt</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>zurückgenommen: nichts wird kopiert</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>das Bild wurde verlassen: nichts wurde begradigt</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>das Bild wurde verlassen: nichts wurde kopiert</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt nicht durch Farbe bestätigt</numerusform>
+    <numerusform>{n} Punkte nicht durch Farbe bestätigt</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} begradigen</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>von {frame} kopieren</translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>wählen Sie zuerst ein annotiertes Element</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element</numerusform>
+    <numerusform>{n} Elemente</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} begradigt: {n} Punkt</numerusform>
+    <numerusform>{what} begradigt: {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{element} hat Ecken oder ist ein einzelner Ort: es bleibt, wie es ist</translation>
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>hier ist kein Element des Feldes annotiert</translation>
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>kein Bild vor diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} hat kein Element, das hier fehlt</translation>
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} wird {other}</translation>
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} und {other} tauschen</translation>
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} als {other} kopieren</translation>
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} mit {other} vereinen</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Lücken schließen</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element bestätigen</numerusform>
+    <numerusform>{n} Elemente bestätigen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
+    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Name der Linie</translation>
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Welche Linie ist das?</translation>
+  </message>
+  <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} ist eine Kurve, die zwei Punkte nicht zeigen: weiterklicken</translation>
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} ist seine eigene symmetrische Klasse</translation>
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{elements} ist schon annotiert</numerusform>
+    <numerusform>{elements} sind schon annotiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} liegt, wo {other} ist: ziehen Sie es an seinen Platz</translation>
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} umkehren</translation>
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>wählen Sie zuerst den Punkt, an dem geteilt werden soll (beim Bearbeiten)</translation>
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} teilen</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element bestätigt</numerusform>
+    <numerusform>{n} Elemente bestätigt</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>in diesem Bild ist nichts unbestätigt</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} ist bereits annotiert</translation>
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>kein Ende liegt so nahe an einer Ecke oder am Bildrand</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} unbestätigtes Element verworfen</numerusform>
+    <numerusform>{n} unbestätigte Elemente verworfen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Unbenannt lassen</translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>ein Element wird an einem Punkt zwischen seinen Enden geteilt, in eine freie Klasse</translation>
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} wurde anderswo geändert: sehen Sie noch einmal hin</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt</numerusform>
+    <numerusform>{n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{accepted}: {points}, Linie zu {share:.0%} zu sehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Ende von {elements} ist nicht zu sehen: die Punkte hören davor auf</numerusform>
+    <numerusform>{n} Enden von {elements} sind nicht zu sehen: die Punkte hören davor auf</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>die Kamera ist inzwischen eine andere</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} annehmen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Geist</numerusform>
+    <numerusform>{n} Geister</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{n} von {total} Geistern</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} angenommen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Ende ist nicht zu sehen: die Punkte hören davor auf</numerusform>
+    <numerusform>{n} Enden sind nicht zu sehen: die Punkte hören davor auf</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>das Bild wurde inzwischen bearbeitet</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>die Suche nach der Linie auf {frame} dauerte zu lange</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} ist nicht angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Alle Geister annehmen</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>Wie viel der Linie eines Geistes zu sehen sein muss, damit er mit allen anderen angenommen wird (%):</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element}: keine gemalte Linie gefunden; klicken Sie es von Hand, oder sagen Sie, dass es hier nicht sichtbar ist (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>die Kamera wird angepasst: nehmen Sie ihre Geister gleich an</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} auf {frame} angenommen</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen: es gibt kein Bild, um ihre Linien zu suchen</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} ist nicht angenommen</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>der Geist ist angenommen: nehmen Sie die Geister der neuen Anpassung an</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>das Gezeichnete ist beendet: nehmen Sie die Geister der neuen Anpassung an</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} ist angenommen, sobald seine Punkte gefunden sind</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Geist (Tab) oder wählen Sie ein Element</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>das war der erste Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>das war der erste Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente, oder folgen Sie der Einstellung (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>das war der letzte Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>das war der letzte Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>die Kamera wird angepasst: Geister kommen gleich</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: die Kamera wird im Bild gesucht</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: was sonst zu sehen ist, ist annotiert oder nicht gut genug bekannt</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: annotieren Sie drei oder vier Elemente, daraus folgt eine Kamera</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente</translation>
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister im Blindmodus, bis das Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: die laufende Anpassung ist aus (Strg+T)</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: sie sind ausgeschaltet (Element &gt; Geister &gt; Geister zeigen)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>Überlagerungen sind ausgeblendet: kein Geist ist zu sehen (Strg+H, oder X loslassen)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>beenden Sie zuerst, was gezeichnet wird (Eingabe), oder brechen Sie es ab (Esc)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: keine Kamera ließ sich anpassen</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>noch passt keine Kamera</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>es wird von Hand gezeichnet</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} ist hier annotiert: löschen Sie es zuerst (Strg+Entf)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} ist hier nicht sichtbar; Strg+. nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} ist hier vielleicht wieder sichtbar</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>kein Element dieses Bildes galt als nicht sichtbar</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>das war der letzte Geist</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Geist (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{off}; wählen Sie zuerst ein Element</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Das Feld behalten und zu diesen Klassen nichts mehr sagen</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Der Datensatz merkt es sich und wird nicht noch einmal gefragt</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Nein, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Das Feld dieses Datensatzes</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Feldbeschreibungen (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Ist das {field}? Die hier annotierten Klassen sind die von {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{why}, aber {file} im Ordner des Datensatzes entscheidet</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Ja, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Zu {field} wechseln</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{problem}; das Feld blieb, wie es war: {field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Bewertungen weichen dann von denen des Nennfeldes ({nominal}) ab, das offizielle Auswertungen nehmen; sie nennen die Maße, mit denen sie berechnet sind.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Eigene Maße (stadiums.csv): {frames} von {stadiums}. Was hier eingegeben wird, gilt für alle anderen, und für das, was Stadien offenlassen.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Bewertungen weichen dann von denen offizieller Auswertungen ab, die Linien dort nehmen, wo die Regeln sie messen; sie sagen es.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Die Regeln messen viele Linien an einer Kante ihrer Farbe. Klicks liegen auf deren Mitte, die halbe Linienbreite daneben: wählen Sie das, wo es darauf ankommt, etwa in Hallen und nahe der Kamera.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Nur Länge und Breite werden aus Bildern bestimmt, und die Regeln legen die dieses Feldes fest</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bild.</numerusform>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bildern.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>wo die Regeln messen</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>in der Mitte der Farbe</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>Aus der Kamera von {n} Bild; ± ist eine Standardabweichung.</numerusform>
+    <numerusform>Aus den Kameras von {n} Bildern; ± ist eine Standardabweichung.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>{remark}; es blieb, wie es war.</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Feldmaße: {field}</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Aus diesem Satz schätzen</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Für diesen Datensatz behalten</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Nennmaße</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Das Feld, wie offizielle Auswertungen es nehmen</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Nennmaß {nominal:g} m, die Regeln erlauben {minimum:g} bis {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;nicht {number:g} m: die Regeln erlauben {minimum:g} bis {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} Bild</numerusform>
+    <numerusform>{n} Bilder</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} Stadion</numerusform>
+    <numerusform>{n} Stadien</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Blind: nicht abgegebene Bilder nahmen nicht teil ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Unlesbare Bilder nahmen nicht teil: {n}.</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Klicks liegen:</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>die Regeln legen jedes Maß des Feldes {field} fest</translation>
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Blind: der Satz wird angesehen, sobald ein Bild davon abgegeben ist (Strg+Eingabe).</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Bilder eines Augenblicks aus verschiedenen Kameras bilden eine Gruppe. Ihre Namen sagen, welche, nach einem Muster: &lt;b&gt;{instant}&lt;/b&gt; steht dafür, wann ein Bild entstand, &lt;b&gt;{view}&lt;/b&gt; für die Kamera, alles andere für sich selbst. Ein regulärer Ausdruck mit &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; und &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; tut es auch.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Kein passendes Muster für diese Namen gefunden: schreiben Sie eines.</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Was jetzt darin steht, geht verloren, samt allem anderen.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Augenblick</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild</numerusform>
+    <numerusform>{n:,} Bilder</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Gruppe von {least} bis {most}</numerusform>
+    <numerusform>{frames} in {n:,} Gruppen von {least} bis {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} aus {n:,} Augenblick</numerusform>
+    <numerusform>{frames} aus {n:,} Augenblicken</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild, nicht gruppiert.</numerusform>
+    <numerusform>{n:,} Bilder, keines gruppiert.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Gruppe</numerusform>
+    <numerusform>{frames} in {n:,} Gruppen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Gruppen von Bildern</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} gibt es schon: {sizes}.</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} gruppiert ab jetzt {sizes}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Augenblick mit nur einem Bild</numerusform>
+    <numerusform>{n:,} Augenblicke mit nur einem Bild</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Name passt nicht (zuletzt in der Tabelle)</numerusform>
+    <numerusform>{n:,} Namen passen nicht (zuletzt in der Tabelle)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Ansichten gruppieren</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Muster der Bildnamen</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} schreiben</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Diese Gruppen im Ordner des Datensatzes behalten</translation>
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>? (bleibt, wie es ist, eine unbekannte Klasse)</translation>
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>Auslassen</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Label</translation>
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Formen</translation>
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Steht für</translation>
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Warum</translation>
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>sicher</translation>
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>wahrscheinlich</translation>
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>zu sagen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>
+    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
+    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Diese Namen gleichen eher denen von {field}: wählen Sie zuerst dieses Feld (Datei &gt; Feld).</translation>
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Namen eines anderen Programms</translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Diese Namen beim Datensatz behalten ({file})</translation>
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importieren</translation>
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Wofür {label} steht</translation>
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Was daraus wurde</translation>
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Annotationen importieren</translation>
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Zu importierende Annotationen</translation>
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>In die Dateien sehen</translation>
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Nur Bilder, in denen noch nichts annotiert ist</translation>
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Auch in den anderen ersetzen, was annotiert ist</translation>
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Was da war, bleibt unter den früheren Fassungen des Bildes, und Rückgängig holt es zurück</translation>
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Annotationen</translation>
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Format</translation>
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importieren in</translation>
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Bilder werden nach dem Namen der Bilddatei zugeordnet.</translation>
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Annotationen (*.json *.xml *.zip);;Alle Dateien (*)</translation>
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Exportieren als</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Exportieren…</translation>
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ein Zip-Archiv statt eines Ordners</translation>
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Vorhandene Dateien ersetzen</translation>
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Elemente behalten, für die SoccerNet keine Klasse hat</translation>
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Breite der Linien</translation>
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Auch die Bilder kopieren</translation>
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>In einen Ordner exportieren</translation>
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Behält {holds}.
+Verliert {loses}.</translation>
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Diese Namen in {file} des Datensatzes aufnehmen, neu geschrieben</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <translation>Abbrechen</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Schließen</translation>
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ein Ordner, ein Zip-Archiv oder eine Datei</translation>
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Datei…</translation>
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ordner…</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Zip-Archiv (*.zip)</translation>
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frames}, {elements} und {points} nach {path} geschrieben ({format}).</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Annotation</numerusform>
+    <numerusform>{n:,} Annotationen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>JaC von {n:,} Bild</numerusform>
+    <numerusform>JaC von {n:,} Bildern</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Nicht alles ließ sich speichern: es gilt, was auf der Platte ist.</translation>
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>die Anpassung von {frame} ist als {path} gespeichert</translation>
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>keine Kamera zu speichern: die Anpassung ist noch nicht da</translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{source} entsteht aus den Klicks, an denen es gemessen würde: beurteilen Sie die zu bewertenden Kameras (procc-annotator calibrate passt einen Satz an und bewertet ihn)</translation>
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{annotations} und {scores}</translation>
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>nichts: kein Bild ist annotiert</translation>
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Export: abgebrochen; schon geschriebene Dateien sind noch da</translation>
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Nichts geschrieben: kein Bild ist annotiert, oder keines ließ sich schreiben.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Element</numerusform>
+    <numerusform>{n:,} Elemente</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Punkt</numerusform>
+    <numerusform>{n:,} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>die laufende Anpassung ist aus (Strg+T)</translation>
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>blind: die Anpassung ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>keine Kamera zu speichern: {why}</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Zip-Archiv (*.zip);;Ordner (*)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Tabelle (*.csv);;JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Übersicht exportieren</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Bilder nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>der Satz wurde noch bewertet: einige Bilder haben noch keinen JaC</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>laden Sie zuerst Kameras: es gibt nichts zu bewerten</translation>
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>blind: noch ist kein Bild abgegeben, also gibt es keinen JaC zu zeigen</translation>
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{what} nach {path} exportiert</translation>
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Abgebrochen; schon geschriebene Dateien sind noch da.</translation>
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Nicht geschrieben</translation>
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Was das Format nicht fassen kann</translation>
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>die Anpassung wird neu berechnet: speichern Sie sie gleich</translation>
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame}: das Bild ist unlesbar, so dass die Pixel der Kamera zu keiner Größe gehören; nicht gespeichert</translation>
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>als {path} gespeichert, aber die geladenen Kameras ließen sich nicht neu lesen: {problem}</translation>
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{saved}; kaum bestimmt: {why}</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>nicht alles ließ sich speichern: der Export hat den zuletzt gespeicherten Stand</translation>
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebenes Bild aus</numerusform>
+    <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebene Bilder aus</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Datei war unlesbar: {problem}</numerusform>
+    <numerusform>{n:,} Dateien waren unlesbar: {problem}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Tabelle (*.csv)</translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Exportieren</translation>
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>exportiert {done} / {total}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} von {n:,} Bild importiert ({format}).</numerusform>
+    <numerusform>{edited} von {n:,} Bildern importiert ({format}).</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>Abgebrochen: {n:,} Bild wurde nicht angesehen.</numerusform>
+    <numerusform>Abgebrochen: {n:,} Bilder wurden nicht angesehen.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild ist schon annotiert und blieb unverändert.</numerusform>
+    <numerusform>{n:,} Bilder sind schon annotiert und blieben unverändert.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild enthält bereits dasselbe.</numerusform>
+    <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Importieren</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} von {n:,} Bild importiert</numerusform>
+    <numerusform>{edited} von {n:,} Bildern importiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Abgebrochen; nichts wurde importiert.</translation>
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Gelassen, wie sie waren</translation>
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Nicht lesbar</translation>
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Ohne Bild hier ({n})</translation>
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Geändert oder ausgelassen</translation>
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>es ließ sich nicht speichern: {why}</translation>
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Videos</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>hier zuvor geöffnete Kameras sind nicht mehr da: {paths}</translation>
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>das Beispiel kommt mit dem Quelltext, nicht hier</translation>
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Ihre eigene Kopie, in {folder}; laden Sie ihre Kameras aus dem Menü Kamera</translation>
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Einen Ordner mit Kameras laden</translation>
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Kameras laden</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Kameras</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>hier zuvor geöffnete Kameras werden nicht wieder geöffnet: {why}</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Einen Ordner mit Bildern öffnen</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Ein Bild öffnen</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Video öffnen</translation>
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Den Ordner eines zweiten Annotators öffnen</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, ohne Legende</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, zu groß: wählen Sie einen kleineren Maßstab oder SVG</translation>
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>PNG: Pixel, ohne Verlust</translation>
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>JPEG: Pixel, klein</translation>
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>SVG: Linien und Text bleiben scharf</translation>
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Bild (*{suffix})</translation>
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Bild mit Überlagerung speichern</translation>
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Px des Ergebnisses je Px des Bildes; Linien und Text wachsen mit</translation>
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Farben, Striche und Zeichen unter dem Bild erklären</translation>
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Art</translation>
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Maßstab</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Ergebnis</translation>
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Legende</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>das Bild mit Überlagerung {path} wird geschrieben …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>öffnen Sie zuerst ein Bild</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{path}: ist das Bild selbst, wählen Sie einen anderen Namen</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Bild mit Überlagerung nach {path} geschrieben</translation>
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Ein Bild alle</translation>
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Das erste Bild jeder Szene</translation>
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Sucht im ganzen Video nach Schnitten; das dauert eine Weile</translation>
+  </message>
+  <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>Feld</translation>
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>{file} wird gelesen</translation>
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>In {file} werden Schnitte gesucht</translation>
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>dieses Bild ist schon eine Bilddatei</translation>
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>als {path} behalten</translation>
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Es wird nichts herausgeschrieben; „Dieses Videobild behalten“ schreibt ein Bild.</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: größter Fehler {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: mediane Abweichung {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>noch kein JaC: laden Sie zuerst Kameras</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>kein anderes Bild ist abgelehnt</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{frame} ist {status}</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>kein bewertetes Bild, zu dem zu gehen wäre</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} wird über den Satz mit {other} verglichen</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>jedes Bild nach diesem ist fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>jedes Bild vor diesem ist fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>zwei Quellen sind nötig, um zu sehen, wo sie abweichen: laden Sie mehr Kameras (Strg+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} und {other} lassen sich in keinem Bild am Boden vergleichen</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>Vergleich der Quellen angehalten</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>das ist das schlechteste; noch einmal geht weiter</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>kein anderes Bild ist bewertet</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>wieder vom schlechtesten an</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>kein bewertetes Bild, zu dem zu gehen wäre: der Blindmodus zeigt nur abgegebene Bilder</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>zwei Quellen werden schon verglichen</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} und {other} sind verglichen</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Warnung</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Hinweis</translation>
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Befund {place} von {total}, {severity}: {elements}</translation>
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>kein Befund ist so sicher, wie der Bereich Befunde eingestellt ist</translation>
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element umbenannt</numerusform>
+    <numerusform>{n} Elemente umbenannt</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild geprüft, Kameramodell {model}: {found}</numerusform>
+    <numerusform>{n:,} Bilder geprüft, Kameramodell {model}: {found}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} geprüftes Bild</numerusform>
+    <numerusform>{n:,} geprüfte Bilder</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} und {other}</translation>
+  </message>
+  <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung sieht sich dieses Bild noch an</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung hat nichts gefunden; prüfen Sie den ganzen Satz, um alle Bilder anzusehen</translation>
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{done}; Strg+Z nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Punkt {n} von {element} entfernt</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} und {other} getauscht</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} in {other} umbenannt</translation>
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>übergangen, bis sich {elements} ändert; der Bereich Befunde holt es zurück</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild lässt sich nicht prüfen</numerusform>
+    <numerusform>{n:,} Bilder lassen sich nicht prüfen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Befunde exportieren</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Befund in {frames} nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Befunde in {frames} nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung hat nichts gefunden</translation>
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Punkt von {element} entfernt</translation>
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Befund (F10)</translation>
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>die Prüfung des Satzes ist angehalten; was gefunden ist, bleibt</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung hat in diesem Bild nichts gefunden</translation>
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>nichts gefunden</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>keine Abhilfe bekannt: {reason}</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Das Aufheben zeigt allen, die ihn annotieren, Kameras, Geister und die Anpassung. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Das Aufheben zeigt Ihnen Kameras, Geister und die Anpassung; für andere war er nicht festgelegt. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>der Blindmodus lässt {n} zu nicht abgegebenen Bildern aus</translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Blindmodus aufheben</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Aufheben und vermerken</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Festgelegt lassen</translation>
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{frame}: kein Urteil über {source} mehr</translation>
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Notiz zum Urteil</translation>
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Was ist hier falsch:</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Urteile exportieren</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>blind: kein abgegebenes Bild hat ein Urteil</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>noch hat kein Bild ein Urteil: geben Sie zuerst eines ab</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Urteil nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Urteile nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ein Urteil gilt einem Bild und einer Kamera: laden Sie zuerst Kameras</translation>
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>blind: die Kamera ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>urteilen Sie zuerst über das Bild: Fehler der Kamera, Fehler der Annotation oder in Ordnung</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>nicht alles ließ sich speichern: die Zahlen gelten dem zuletzt gespeicherten Stand</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} folgt den Klicks: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Es gibt keine frühere Fassung dieses Bildes.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Verglichen mit jetzt: {changes}. Verschieden: {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>unlesbar</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>leer</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>wie jetzt</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>andere Elemente</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Punkte verschoben</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Das enthält das Bild jetzt.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Verglichen mit jetzt: dieselben Punkte in anderer Reihenfolge der Elemente.</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>eine frühere Fassung zurückholen</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Frühere Fassungen</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Zurückholen</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>%d.%m.%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>{n} weitere</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>die frühere Fassung ist wieder da; was nicht lesbar war, bleibt als Fassung erhalten</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>es ist inzwischen annotiert</translation>
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>es wurde seither bearbeitet</translation>
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>kein Bild anzunehmen: folgen Sie zuerst der Einstellung (T); zweifelhafte und annotierte Bilder bleiben aus</translation>
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Blindmodus: angenommen wird nichts, was nicht geklickt ist</translation>
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Farbe entlang der Spur wird gesucht: {done} von {total} Bildern</translation>
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild entlang der Spur angenommen</numerusform>
+    <numerusform>{n:,} Bilder entlang der Spur angenommen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Strg+Z nimmt sie zurück</translation>
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommenes Bild</numerusform>
+    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommene Bilder</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild gelassen: {why}</numerusform>
+    <numerusform>{n:,} Bilder gelassen: {why}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Farbe entlang der Spur wird gesucht</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>kein Bild angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Spur annehmen</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Spur zurücknehmen</translation>
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>nichts Angenommenes, das zurückzunehmen wäre</translation>
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>zurückgenommen: kein Bild ist angenommen</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+    <numerusform>{n:,} Bilder verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>Verfolgung: {done} von {total} Bildern  ·  T hält an</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild verfolgt, sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+    <numerusform>{n:,} Bilder verfolgt, alle sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>die Enden der Einstellung werden gesucht …  T hält an</translation>
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>der Einstellung ließ sich nicht folgen: {why}</translation>
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>nur einem Video oder aufeinanderfolgenden Bildern lässt sich folgen</translation>
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>Blindmodus: keiner Einstellung wird gefolgt, ihre Kameras wären zu sehen</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>kein Bild der Einstellung hat eine sichere Kamera: annotieren Sie eines, dann folgen Sie ihr</translation>
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>angehalten; das bisher Verfolgte bleibt</translation>
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>angehalten; nichts wurde verfolgt</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>kein Bild nach diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>kein Bild nach diesem ist zweifelhaft</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>kein Bild vor diesem ist zweifelhaft</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>Blindmodus: wie gut die Spur ist, bleibt verborgen</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>noch wurde keiner Einstellung gefolgt (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>diese Bilder folgen nicht aufeinander</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -884,281 +3380,6 @@
    <translation>keine</translation>
   </message>
   <message>
-   <source>Wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mausrad</translation>
-  </message>
-  <message>
-   <source>zoom at the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>am Mauszeiger vergrößern</translation>
-  </message>
-  <message>
-   <source>Two fingers</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Zwei Finger</translation>
-  </message>
-  <message>
-   <source>pan; pinched, zoom</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>verschieben; gespreizt vergrößern</translation>
-  </message>
-  <message>
-   <source>Shift + wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Umschalt + Mausrad</translation>
-  </message>
-  <message>
-   <source>pan sideways, as a tilted wheel does</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>seitwärts verschieben, wie ein Kipprad</translation>
-  </message>
-  <message>
-   <source>Space + drag</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Leertaste + ziehen</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>verschieben</translation>
-  </message>
-  <message>
-   <source>Middle button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mittlere Taste</translation>
-  </message>
-  <message>
-   <source>Hold X</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>X halten</translation>
-  </message>
-  <message>
-   <source>hide all overlays</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>alle Überlagerungen ausblenden</translation>
-  </message>
-  <message>
-   <source>Hold Z</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Z halten</translation>
-  </message>
-  <message>
-   <source>loupe: eight times the picture's pixels</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Lupe: achtfache Bildpixel</translation>
-  </message>
-  <message>
-   <source>Hold ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>, halten</translation>
-  </message>
-  <message>
-   <source>look at the compared camera source</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>die verglichene Kameraquelle ansehen</translation>
-  </message>
-  <message>
-   <source>Tap ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>, tippen</translation>
-  </message>
-  <message>
-   <source>judge with the compared source, compare with this one</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>mit der verglichenen Quelle beurteilen, mit dieser vergleichen</translation>
-  </message>
-  <message>
-   <source>Hold Ctrl</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Strg halten</translation>
-  </message>
-  <message>
-   <source>click beside the line: no snapping</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>neben die Linie klicken: kein Einrasten</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Strg+Alt + Linie ziehen</translation>
-  </message>
-  <message>
-   <source>camera: it follows, the place stays as a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Kamera: sie folgt, die Stelle bleibt als Pflock</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + click a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Strg+Alt + Pflock klicken</translation>
-  </message>
-  <message>
-   <source>camera: take the peg away</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Kamera: den Pflock wegnehmen</translation>
-  </message>
-  <message>
-   <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Pfeiltasten</translation>
-  </message>
-  <message>
-   <source>crosshair: the keys point; chosen points are moved instead</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Fadenkreuz: die Tasten zeigen; gewählte Punkte werden statt dessen bewegt</translation>
-  </message>
-  <message>
-   <source>Space at the crosshair</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Leertaste am Fadenkreuz</translation>
-  </message>
-  <message>
-   <source>what a click does there (with Ctrl: no snapping)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>was ein Klick dort tut (mit Strg: ohne Einrasten)</translation>
-  </message>
-  <message>
-   <source>Right button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Rechte Taste</translation>
-  </message>
-  <message>
-   <source>menu of what is under the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Menü zu dem, was unter dem Mauszeiger ist</translation>
-  </message>
-  <message>
-   <source>Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Eingabe</translation>
-  </message>
-  <message>
-   <source>accept the current ghost</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>den aktuellen Geist annehmen</translation>
-  </message>
-  <message>
-   <source>Shift+Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Umschalt+Eingabe</translation>
-  </message>
-  <message>
-   <source>accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>alle Geister annehmen</translation>
-  </message>
-  <message>
-   <source>Click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Klick</translation>
-  </message>
-  <message>
-   <source>draw: add a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Zeichnen: einen Punkt hinzufügen</translation>
-  </message>
-  <message>
-   <source>Double-click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Doppelklick</translation>
-  </message>
-  <message>
-   <source>draw: finish</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Zeichnen: beenden</translation>
-  </message>
-  <message>
-   <source>Drag a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Punkt ziehen</translation>
-  </message>
-  <message>
-   <source>edit: move it</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bearbeiten: ihn verschieben</translation>
-  </message>
-  <message>
-   <source>Shift+click a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Umschalt+Klick auf Punkt</translation>
-  </message>
-  <message>
-   <source>edit: choose several</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bearbeiten: mehrere wählen</translation>
-  </message>
-  <message>
-   <source>Drag on empty ground</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Auf freiem Grund ziehen</translation>
-  </message>
-  <message>
-   <source>edit: choose the points inside</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bearbeiten: die Punkte darin wählen</translation>
-  </message>
-  <message>
-   <source>Drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Linie ziehen</translation>
-  </message>
-  <message>
-   <source>edit: move the element, unless elements are pinned</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bearbeiten: das Element verschieben, außer es ist festgehalten</translation>
-  </message>
-  <message>
-   <source>Alt+click a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+Klick auf Linie</translation>
-  </message>
-  <message>
-   <source>edit: insert a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bearbeiten: einen Punkt einfügen</translation>
-  </message>
-  <message>
-   <source>Alt+Shift+click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+Umschalt+Klick</translation>
-  </message>
-  <message>
-   <source>edit: remove the point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bearbeiten: den Punkt entfernen</translation>
-  </message>
-  <message>
-   <source>Click or drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Streifen klicken oder ziehen</translation>
-  </message>
-  <message>
-   <source>go to a frame</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>zu einem Bild gehen</translation>
-  </message>
-  <message>
-   <source>Wheel on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mausrad auf dem Streifen</translation>
-  </message>
-  <message>
-   <source>zoom; with Shift, scroll</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>vergrößern; mit Umschalt rollen</translation>
-  </message>
-  <message>
-   <source>Shift+drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Umschalt+ziehen auf dem Streifen</translation>
-  </message>
-  <message>
-   <source>mark a stretch (a double click lets go of it)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>einen Abschnitt markieren (Doppelklick hebt ihn auf)</translation>
-  </message>
-  <message>
    <source>what is held down in the picture</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>was im Bild gehalten wird</translation>
@@ -1182,6 +3403,281 @@
    <source>Like labelme</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>Wie labelme</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mausrad</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>am Mauszeiger vergrößern</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Zwei Finger</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>verschieben; gespreizt vergrößern</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Umschalt + Mausrad</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>seitwärts verschieben, wie ein Kipprad</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Leertaste + ziehen</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>verschieben</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mittlere Taste</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>X halten</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>alle Überlagerungen ausblenden</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Z halten</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Lupe: achtfache Bildpixel</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>, halten</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>die verglichene Kameraquelle ansehen</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>, tippen</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>mit der verglichenen Quelle beurteilen, mit dieser vergleichen</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Strg halten</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>neben die Linie klicken: kein Einrasten</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Strg+Alt + Linie ziehen</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Kamera: sie folgt, die Stelle bleibt als Pflock</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Strg+Alt + Pflock klicken</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Kamera: den Pflock wegnehmen</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Pfeiltasten</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Fadenkreuz: die Tasten zeigen; gewählte Punkte werden statt dessen bewegt</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Leertaste am Fadenkreuz</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>was ein Klick dort tut (mit Strg: ohne Einrasten)</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Rechte Taste</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Menü zu dem, was unter dem Mauszeiger ist</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Eingabe</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>den aktuellen Geist annehmen</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Umschalt+Eingabe</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>alle Geister annehmen</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Klick</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Zeichnen: einen Punkt hinzufügen</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Doppelklick</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Zeichnen: beenden</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Punkt ziehen</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bearbeiten: ihn verschieben</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Umschalt+Klick auf Punkt</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bearbeiten: mehrere wählen</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Auf freiem Grund ziehen</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bearbeiten: die Punkte darin wählen</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Linie ziehen</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bearbeiten: das Element verschieben, außer es ist festgehalten</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+Klick auf Linie</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bearbeiten: einen Punkt einfügen</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+Umschalt+Klick</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bearbeiten: den Punkt entfernen</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Streifen klicken oder ziehen</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>zu einem Bild gehen</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mausrad auf dem Streifen</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>vergrößern; mit Umschalt rollen</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Umschalt+ziehen auf dem Streifen</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>einen Abschnitt markieren (Doppelklick hebt ihn auf)</translation>
   </message>
   <message>
    <source>expected an object with "actions" and "elements"</source>
@@ -1230,7 +3726,7 @@
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{text}.</translation>
   </message>
   <message>
@@ -1372,12 +3868,12 @@
   </message>
   <message>
    <source>Median</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Median</translation>
   </message>
   <message>
    <source>Points</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Punkte</translation>
   </message>
   <message>
@@ -1387,7 +3883,7 @@
   </message>
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Verborgen: im Blindmodus erscheint die Bewertung, sobald dieses Bild abgegeben ist.</translation>
   </message>
   <message>
@@ -1445,232 +3941,299 @@
    </translation>
   </message>
   <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Quelle zum Vergleichen</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Wird der aktiven Quelle gegenübergestellt: Komma, geteilte Ansicht, Abweichung</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Vergleichen mit</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>{share:.0f} % innerhalb {far:g} m, auf {covered:.0f} % des Bildes</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>min</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Median</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>max</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Zwischen den beiden Punkten am Boden, die ein Pixel meint</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Von einem Pixel dorthin, wo die verglichene Kamera seinen Bodenpunkt zeigt</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>am Boden, m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>im Bild, px</translation>
-  </message>
-  <message>
    <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
    <translation>soccernet (offiziell)</translation>
   </message>
   <message>
    <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>procc (Veröffentlichung)</translation>
   </message>
   <message>
    <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>als verfehlt zählen</translation>
   </message>
   <message>
    <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>werden ausgelassen</translation>
   </message>
   <message>
    <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Kameras ({endings});;Alle Dateien (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Quelle zum Vergleichen</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Wird der aktiven Quelle gegenübergestellt: Komma, geteilte Ansicht, Abweichung</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Vergleichen mit</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>{share:.0f} % innerhalb {far:g} m, auf {covered:.0f} % des Bildes</translation>
   </message>
   <message>
    <source>No cameras loaded.
 Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Keine Kameras geladen.
 Laden Sie einen Ordner mit SoccerNet-Kameradateien oder Homographien, um sie an Ihren Klicks gemessen zu sehen.</translation>
   </message>
   <message>
    <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Ordner laden…</translation>
   </message>
   <message>
    <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Ein Ordner mit einer Kameradatei je Bild</translation>
   </message>
   <message>
    <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Datei laden…</translation>
   </message>
   <message>
    <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Ein Zip-Archiv mit Kameras, oder die Kamera eines Bildes</translation>
   </message>
   <message>
    <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Wie die als Nächstes geladenen Dateien gelesen werden</translation>
   </message>
   <message>
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>soccernet: die offizielle Auswertung mit ihren Eigenheiten
 procc: die Definition der Veröffentlichung, geschlossene Kreise und feine Kurven</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Eine Homographie kennt nur den Boden: wie Pfosten und Latten für sie zählen</translation>
   </message>
   <message>
    <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Gelesen als</translation>
   </message>
   <message>
    <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
    <translation>Protokoll</translation>
   </message>
   <message>
    <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Über dem Boden</translation>
   </message>
   <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Einen Ordner mit Kameras laden</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Kameras laden</translation>
-  </message>
-  <message>
    <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Dieses Bild: {notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>⚠ Die Kamera dieses Bildes ist nicht zu gebrauchen: {error}</translation>
   </message>
   <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>min</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Median</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>max</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Zwischen den beiden Punkten am Boden, die ein Pixel meint</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Von einem Pixel dorthin, wo die verglichene Kamera seinen Bodenpunkt zeigt</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>am Boden, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>im Bild, px</translation>
+  </message>
+  <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Blind: die Projektion bleibt verborgen, bis dieses Bild abgegeben ist.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Bilder dieses Datensatzes, die eine Kamera haben (Vollständigkeit)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>In diesem Fenster besuchte Bilder, deren Klicks eine Kamera ergaben; ihr JaC gilt den Klicks, aus denen die Anpassung entstand.
 procc-annotator calibrate passt den ganzen Satz an und bewertet ihn</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Bilder dieses Datensatzes, die durch ihre Einstellung verfolgt wurden und eine Kamera haben.
 procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild</numerusform>
-    <numerusform>{n:,} Bilder</numerusform>
-   </translation>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Gelb</translation>
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Violett</translation>
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Blau</translation>
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Mint</translation>
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Marineblau</translation>
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Cyan</translation>
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Die laufende Anpassung ausschalten (Strg+T schaltet sie wieder ein)</translation>
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Aus der Liste entfernen; die Dateien bleiben</translation>
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Das Verfolgte vergessen (T folgt der Einstellung erneut)</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Mittlerer JaC bei {tau:.1f} px über {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Unlesbar (Filter camera:unreadable): {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{matched} von {total}, {n} unlesbar</numerusform>
     <numerusform>{matched} von {total}, {n} unlesbar</numerusform>
    </translation>
   </message>
   <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Name der Quelle</translation>
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Als Drahtgitter zeichnen, während eine andere Quelle beurteilt wird</translation>
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} beurteilen</translation>
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} entfernen</translation>
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} zeichnen</translation>
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Farbe von {name}</translation>
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Andere…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Farbe der Quelle</translation>
+  </message>
+  <message>
    <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>keine Kamera</translation>
   </message>
   <message>
    <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Nichts beurteilen, keine Kamera zeichnen</translation>
   </message>
   <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{frames} bisher</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{mean}; {n:,} Kamera ist unlesbar und nimmt nicht teil</numerusform>
     <numerusform>{mean}; {n:,} Kameras sind unlesbar und nehmen nicht teil</numerusform>
@@ -1678,17 +4241,17 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model} (Boden)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model} hier, mehrere Modelle</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild verfolgt</numerusform>
     <numerusform>{n:,} Bilder verfolgt</numerusform>
@@ -1696,7 +4259,7 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild angepasst</numerusform>
     <numerusform>{n:,} Bilder angepasst</numerusform>
@@ -1704,12 +4267,12 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{n} von {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{names} und {n:,} weitere</numerusform>
     <numerusform>{names} und {n:,} weitere</numerusform>
@@ -1717,27 +4280,32 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>hier nicht zu gebrauchen: {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>keine Kamera für dieses Bild</translation>
   </message>
   <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Doppelklick oder F2 gibt ihr einen anderen Namen</translation>
+  </message>
+  <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Der Blindmodus verbirgt, wie gut die Quellen sind</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Kein Bild hat zugleich annotierte Elemente und eine Kamera dieser Quelle</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} Kamera</numerusform>
     <numerusform>{n:,} Kameras</numerusform>
@@ -1745,102 +4313,83 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>mehrere Modelle</translation>
   </message>
   <message>
-   <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Gelb</translation>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py, procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>annotiert</translation>
   </message>
   <message>
-   <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Violett</translation>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>unbestätigt</translation>
   </message>
   <message>
-   <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Blau</translation>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>nicht sichtbar</translation>
   </message>
   <message>
-   <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Mint</translation>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>als Nächstes</translation>
   </message>
   <message>
-   <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Marineblau</translation>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>In diesem Bild nicht annotiert</translation>
   </message>
   <message>
-   <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Cyan</translation>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Annotiert, aber nicht beurteilt: keine Kamera wird gezeigt, oder es nimmt an der Auswertung nicht teil</translation>
   </message>
   <message>
-   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Die laufende Anpassung ausschalten (Strg+T schaltet sie wieder ein)</translation>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Kopiert; es zählt erst, wenn es berührt oder bestätigt ist</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Aus der Liste entfernen; die Dateien bleiben</translation>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Besteht: alle seine Punkte sind der Projektion näher als tau</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Das Verfolgte vergessen (T folgt der Einstellung erneut)</translation>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Zu weit: mindestens ein Punkt ist tau oder mehr entfernt (falsch positiv)</translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Name der Quelle</translation>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Die Kamera projiziert es, es ist nicht annotiert (falsch positiv)</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Als Drahtgitter zeichnen, während eine andere Quelle beurteilt wird</translation>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Annotiert, die Kamera projiziert es nicht (falsch negativ)</translation>
   </message>
   <message>
-   <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} beurteilen</translation>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Jemand sagte, dass es in diesem Bild nicht zu sehen ist</translation>
   </message>
   <message>
-   <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} entfernen</translation>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Als Nächstes zu annotieren, wie auf der Feldkarte und im Bild</translation>
   </message>
   <message>
-   <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} zeichnen</translation>
-  </message>
-  <message>
-   <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Farbe von {name}</translation>
-  </message>
-  <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Andere…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Farbe der Quelle</translation>
-  </message>
-  <message>
-   <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Doppelklick oder F2 gibt ihr einen anderen Namen</translation>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>{title} (unbekannte Klasse)</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>Ohne Geometrie</translation>
   </message>
   <message>
@@ -1855,7 +4404,7 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Elemente</translation>
   </message>
   <message>
@@ -1890,138 +4439,57 @@ Esc leert die Suche.</translation>
   </message>
   <message>
    <source>Status</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Status</translation>
   </message>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Es als Nächstes zu annotieren bringt am meisten: die Projektion ist dann auf {after:.1f} px statt {before:.1f} px bekannt</translation>
   </message>
   <message>
    <source>Field map</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Feldkarte</translation>
   </message>
   <message>
    <source>The arrows choose elements</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Die Pfeiltasten wählen Elemente</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Als Nächstes: {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Ein Element anklicken, um seine Klasse zu wählen</translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Befunde</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Welche Befunde aufgeführt sind</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>Ganzen Satz prüfen</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>In jedem annotierten Bild nach falschen Klassen suchen</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Geprüfte Bilder</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Anhalten</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Exportieren…</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Die Befunde aller geprüften Bilder als CSV schreiben</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} weiterer ist nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
-    <numerusform>{n:,} weitere sind nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
-   <translation>Ihn nicht mehr zeigen, bis sich die Punkte seiner Elemente ändern</translation>
-  </message>
-  <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Dieses Bild</translation>
-  </message>
-  <message>
-   <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Ganzer Satz</translation>
-  </message>
-  <message>
-   <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>{findings}; klicken, um sie aufzuführen oder nicht</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
-    <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>Diesen Befund übergehen</translation>
-  </message>
-  <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Fehler</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Warnung</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Hinweis</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>In diesem Bild wurde nichts gefunden.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>In {n:,} Bild nichts gefunden.</numerusform>
     <numerusform>In {n:,} Bildern nichts gefunden.</numerusform>
@@ -2030,23 +4498,23 @@ Esc leert die Suche.</translation>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Keine Bilder.
 Öffnen Sie einen Ordner mit Bildern, um ihre Klassen zu prüfen.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>In diesem Bild ist nichts annotiert.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Die Regeln, die keine Kamera brauchen, fanden nichts.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Nichts gefunden außer {n:,} übergangenem Befund.</numerusform>
     <numerusform>Nichts gefunden außer {n:,} übergangenen Befunden.</numerusform>
@@ -2054,27 +4522,27 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Blind: Befunde, die eine Kamera brauchen, warten, bis dieses Bild abgegeben ist (Strg+Eingabe).</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Die laufende Anpassung ist aus: nur Regeln, die keine Kamera brauchen, werden geprüft.</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Noch passt keine Kamera ({why}): nur Regeln, die keine brauchen, werden geprüft.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Blind: nur abgegebene Bilder werden mit einer Kamera geprüft.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild lässt sich nicht prüfen, etwa {name}: {why}</numerusform>
     <numerusform>{n:,} Bilder lassen sich nicht prüfen, etwa {name}: {why}</numerusform>
@@ -2082,7 +4550,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Der Satz ist noch nicht geprüft; bisher {n:,} Bild angesehen.</numerusform>
     <numerusform>Der Satz ist noch nicht geprüft; bisher {n:,} Bilder angesehen.</numerusform>
@@ -2090,17 +4558,17 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Dieses Bild wird geprüft…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Der Satz wird geprüft…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} Fehler</numerusform>
     <numerusform>{n:,} Fehler</numerusform>
@@ -2108,7 +4576,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} Warnung</numerusform>
     <numerusform>{n:,} Warnungen</numerusform>
@@ -2116,11 +4584,304 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} Hinweis</numerusform>
     <numerusform>{n:,} Hinweise</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Befunde</translation>
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Welche Befunde aufgeführt sind</translation>
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>Ganzen Satz prüfen</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>In jedem annotierten Bild nach falschen Klassen suchen</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Geprüfte Bilder</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Die Befunde aller geprüften Bilder als CSV schreiben</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} weiterer ist nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
+    <numerusform>{n:,} weitere sind nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <translation>Ihn nicht mehr zeigen, bis sich die Punkte seiner Elemente ändern</translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Dieses Bild</translation>
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Ganzer Satz</translation>
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>{findings}; klicken, um sie aufzuführen oder nicht</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
+    <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <translation>Diesen Befund übergehen</translation>
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Mittel</translation>
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Größtes</translation>
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Schlechteste zuerst; ein Klick zeigt den schlechtesten Punkt</translation>
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Mittlerer Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Größter Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>automatisch gewählt</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>H: Homographie des Bodens</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>P: Lochkamera</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R: Lochkamera, Linsenverzeichnung</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R+: R, Seitenverhältnis, Bildhauptpunkt</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R2: R+, zweiter radialer Koeffizient</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>F: Fischauge</translation>
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{model}. Gewählt: {why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{passing} von {n:,} annotierten Element innerhalb {px:g} px</numerusform>
+    <numerusform>{passing} von {n:,} annotierten Elementen innerhalb {px:g} px</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{counted}; {n} sichtbares noch nicht annotiert</numerusform>
+    <numerusform>{counted}; {n} sichtbare noch nicht annotiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ ausgelassen: {title}</translation>
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{title}: Mittel {mean} px, größtes {largest} px</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Schwenk</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Neigung</translation>
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Rollen</translation>
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Brennweite</translation>
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Längs (x)</translation>
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Quer (y)</translation>
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Höhe (−z)</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Sichtbare Elemente, die nicht annotiert sind, zählen gegen den JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Kaum bestimmt: {limits}</translation>
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Was angepasst wird. Automatisch: das einfachste Modell, das die Klicks hergeben</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Modell</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Mittlerer Abstand der Punkte, die mitreden durften, px des Bildes</translation>
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Residuen je Element</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Als Kamera des Bildes speichern</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Öffnen Sie einen Ordner mit Bildern, um die Kamera zu sehen, die ihre Klicks ergeben.</translation>
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Die laufende Anpassung ist aus (Strg+T).</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint die Anpassung, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Noch keine Kamera: {why}.</translation>
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Klicks werden angepasst…</translation>
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Keine Anpassung.</translation>
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC bei {tau:.1f} px</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>&lt;b&gt;Kaum bestimmt&lt;/b&gt;: {what}</translation>
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>JaC: {terms}; Residuen: px des Bildes, {width}x{height}</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Standardabweichung, wie die Anpassung sie schätzt</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Für einen Irrtum gehalten: hatte bei der Anpassung nicht mitzureden</translation>
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>mittleres Residuum</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -2130,13 +4891,15 @@ Open a folder of pictures to check their labels.</source>
     <numerusform>{n} offen</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Element</numerusform>
-    <numerusform>{n:,} Elemente</numerusform>
-   </translation>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>{shown:,} von {frames}</translation>
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>alle fertig</translation>
   </message>
   <message>
    <source>⚠ unreadable</source>
@@ -2154,27 +4917,47 @@ Open a folder of pictures to check their labels.</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>nicht annotiert</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} fertig</numerusform>
+    <numerusform>{n:,} fertig</numerusform>
+   </translation>
+  </message>
   <message>
    <source>● not saved</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>● nicht gespeichert</translation>
   </message>
   <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>{shown:,} von {frames}</translation>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Bilder filtern</translation>
   </message>
   <message>
-   <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
-   <translation>alle fertig</translation>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Keine Bilder.
+Öffnen Sie einen Ordner mit Bildern (jpg, png, bmp, webp), oder ziehen Sie einen hierher.</translation>
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Nichts passt zu „{query}“.</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
    <translation>
-    <numerusform>{n:,} fertig</numerusform>
-    <numerusform>{n:,} fertig</numerusform>
+    <numerusform>{frames} in {n:,} Ordner</numerusform>
+    <numerusform>{frames} in {n:,} Ordnern</numerusform>
    </translation>
   </message>
   <message>
@@ -2196,500 +4979,6 @@ Open a folder of pictures to check their labels.</source>
    <source>unfolded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
    <translation>aufgeklappt</translation>
-  </message>
-  <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Bilder filtern</translation>
-  </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Bilder</translation>
-  </message>
-  <message>
-   <source>No frames.
-Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Keine Bilder.
-Öffnen Sie einen Ordner mit Bildern (jpg, png, bmp, webp), oder ziehen Sie einen hierher.</translation>
-  </message>
-  <message>
-   <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Nichts passt zu „{query}“.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>
-    <numerusform>{frames} in {n:,} Ordner</numerusform>
-    <numerusform>{frames} in {n:,} Ordnern</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>automatisch gewählt</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>H: Homographie des Bodens</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>P: Lochkamera</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R: Lochkamera, Linsenverzeichnung</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R+: R, Seitenverhältnis, Bildhauptpunkt</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R2: R+, zweiter radialer Koeffizient</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>F: Fischauge</translation>
-  </message>
-  <message>
-   <source>{model}. Chosen: {why}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>{model}. Gewählt: {why}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
-   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{passing} von {n:,} annotierten Element innerhalb {px:g} px</numerusform>
-    <numerusform>{passing} von {n:,} annotierten Elementen innerhalb {px:g} px</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{counted}; {n} in sight not annotated yet</source>
-   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{counted}; {n} sichtbares noch nicht annotiert</numerusform>
-    <numerusform>{counted}; {n} sichtbare noch nicht annotiert</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Sichtbare Elemente, die nicht annotiert sind, zählen gegen den JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Kaum bestimmt: {limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Was angepasst wird. Automatisch: das einfachste Modell, das die Klicks hergeben</translation>
-  </message>
-  <message>
-   <source>Model</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Modell</translation>
-  </message>
-  <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Mittlerer Abstand der Punkte, die mitreden durften, px des Bildes</translation>
-  </message>
-  <message>
-   <source>Residuals by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Residuen je Element</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Als Kamera des Bildes speichern</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Öffnen Sie einen Ordner mit Bildern, um die Kamera zu sehen, die ihre Klicks ergeben.</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Die laufende Anpassung ist aus (Strg+T).</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Verborgen: im Blindmodus erscheint die Anpassung, sobald dieses Bild abgegeben ist.</translation>
-  </message>
-  <message>
-   <source>No camera yet: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Noch keine Kamera: {why}.</translation>
-  </message>
-  <message>
-   <source>Fitting the clicks…</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Klicks werden angepasst…</translation>
-  </message>
-  <message>
-   <source>No fit.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Keine Anpassung.</translation>
-  </message>
-  <message>
-   <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC bei {tau:.1f} px</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>&lt;b&gt;Kaum bestimmt&lt;/b&gt;: {what}</translation>
-  </message>
-  <message>
-   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>JaC: {terms}; Residuen: px des Bildes, {width}x{height}</translation>
-  </message>
-  <message>
-   <source>Standard deviation, as the fit estimates it</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Standardabweichung, wie die Anpassung sie schätzt</translation>
-  </message>
-  <message>
-   <source>mean residual</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>mittleres Residuum</translation>
-  </message>
-  <message>
-   <source>Mean</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Mittel</translation>
-  </message>
-  <message>
-   <source>Largest</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Größtes</translation>
-  </message>
-  <message>
-   <source>Worst first; a click shows the worst point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Schlechteste zuerst; ein Klick zeigt den schlechtesten Punkt</translation>
-  </message>
-  <message>
-   <source>Mean distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Mittlerer Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Größter Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
-  </message>
-  <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>✕ ausgelassen: {title}</translation>
-  </message>
-  <message>
-   <source>{title}: mean {mean} px, largest {largest} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>{title}: Mittel {mean} px, größtes {largest} px</translation>
-  </message>
-  <message>
-   <source>Pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Schwenk</translation>
-  </message>
-  <message>
-   <source>Tilt</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Neigung</translation>
-  </message>
-  <message>
-   <source>Roll</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Rollen</translation>
-  </message>
-  <message>
-   <source>Focal length</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Brennweite</translation>
-  </message>
-  <message>
-   <source>Along (x)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Längs (x)</translation>
-  </message>
-  <message>
-   <source>Across (y)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Quer (y)</translation>
-  </message>
-  <message>
-   <source>Height (−z)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Höhe (−z)</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Für einen Irrtum gehalten: hatte bei der Anpassung nicht mitzureden</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC über tau</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>Point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Punkt</translation>
-  </message>
-  <message>
-   <source>Worst</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Größter</translation>
-  </message>
-  <message>
-   <source>Passes at</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Besteht ab</translation>
-  </message>
-  <message>
-   <source>Click a row to see the point that decides</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Eine Zeile anklicken, um den entscheidenden Punkt zu sehen</translation>
-  </message>
-  <message>
-   <source>How the element counts at tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Wie das Element bei tau zählt</translation>
-  </message>
-  <message>
-   <source>The point that decides, counted from 1</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Der entscheidende Punkt, gezählt ab 1</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the projection, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Größter Abstand seiner Punkte zur Projektion, px</translation>
-  </message>
-  <message>
-   <source>The smallest tau of the slider at which it passes, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Das kleinste tau des Schiebers, bei dem es besteht, px</translation>
-  </message>
-  <message>
-   <source>Scores by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Bewertung je Element</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Zählt als {class_name}</translation>
-  </message>
-  <message>
-   <source>Choose an element to read why it counts as it does.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Ein Element wählen, um zu lesen, warum es so zählt.</translation>
-  </message>
-  <message>
-   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>die Kamera ist die Anpassung an eben diese Klicks: dieser JaC bewertet keine Methode</translation>
-  </message>
-  <message>
-   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Gespiegelte Klassen zählen hier: das um 180° gedrehte Feld passt mindestens so gut.</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>menschliches Rauschen {median:.2f} px, 95 % innerhalb {p95:.2f} px</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>menschliches Rauschen {median:.2f} px, 95 % innerhalb {p95:.2f} px – mehr als tau</translation>
-  </message>
-  <message>
-   <source>Precision</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Precision</translation>
-  </message>
-  <message>
-   <source>Recall</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Recall</translation>
-  </message>
-  <message>
-   <source>Mean error</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Mittlerer Fehler</translation>
-  </message>
-  <message>
-   <source>Mean reprojection error of all points, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Mittlerer Reprojektionsfehler aller Punkte, px</translation>
-  </message>
-  <message>
-   <source>Median reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Median des Reprojektionsfehlers, px</translation>
-  </message>
-  <message>
-   <source>Max</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Max.</translation>
-  </message>
-  <message>
-   <source>Largest reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Größter Reprojektionsfehler, px</translation>
-  </message>
-  <message>
-   <source>{name} has no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>{name} hat keine Kamera für dieses Bild.</translation>
-  </message>
-  <message>
-   <source>points: {kinds}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Punkte: {kinds}</translation>
-  </message>
-  <message>
-   <source>Scores and their plot</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Bewertungen und ihr Diagramm</translation>
-  </message>
-  <message>
-   <source>Copy this explanation</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Diese Erklärung kopieren</translation>
-  </message>
-  <message>
-   <source>Copy all explanations</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Alle Erklärungen kopieren</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Öffnen Sie einen Ordner mit Bildern, um Bewertungen zu sehen.</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Keine Kamera zu beurteilen.
-Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation>
-  </message>
-  <message>
-   <source>JaC –: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>JaC –: {why}.</translation>
-  </message>
-  <message>
-   <source>This frame's camera cannot be used:
-{error}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Die Kamera dieses Bildes ist nicht zu gebrauchen:
-{error}</translation>
-  </message>
-  <message>
-   <source>No fit to judge: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Keine Anpassung zu beurteilen: {why}.</translation>
-  </message>
-  <message>
-   <source>Elements whose points all are closer than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Elemente, deren Punkte alle näher als tau sind</translation>
-  </message>
-  <message>
-   <source>Elements too far, or projected and not annotated</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Elemente zu weit weg, oder projiziert und nicht annotiert</translation>
-  </message>
-  <message>
-   <source>Annotated elements that the camera does not project</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Annotierte Elemente, die die Kamera nicht projiziert</translation>
-  </message>
-  <message>
-   <source>Camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Kamera</translation>
-  </message>
-  <message>
-   <source>Annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Annotation</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>In Ordnung</translation>
-  </message>
-  <message>
-   <source>The active camera is wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Die aktive Kamera ist in diesem Bild falsch</translation>
-  </message>
-  <message>
-   <source>The clicks are wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Die Klicks sind in diesem Bild falsch</translation>
-  </message>
-  <message>
-   <source>Camera and clicks are right in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Kamera und Klicks sind in diesem Bild richtig</translation>
-  </message>
-  <message>
-   <source>Fault</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Fehler</translation>
-  </message>
-  <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Woran die Bewertung dieses Bildes liegt; wird beim Datensatz aufbewahrt</translation>
-  </message>
-  <message>
-   <source>Verdict: {verdict}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Urteil: {verdict}</translation>
-  </message>
-  <message>
-   <source>{verdict}; once more takes it back ({key})</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>{verdict}; noch einmal nimmt es zurück ({key})</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -2753,7 +5042,7 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
   </message>
   <message>
    <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Landmarken</translation>
   </message>
   <message>
@@ -2763,7 +5052,7 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
   </message>
   <message>
    <source>Add</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Hinzufügen</translation>
   </message>
   <message>
@@ -2885,226 +5174,304 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>die Landmarke {title}</translation>
   </message>
   <message>
-   <source>Share</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Anteil</translation>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC über tau</translation>
   </message>
   <message>
-   <source>Median time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Median der Zeit</translation>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC über die Bilder</translation>
   </message>
   <message>
-   <source>Total time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Gesamtzeit</translation>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Noch keine Bewertungen. Sie werden Bild für Bild im Hintergrund berechnet.</translation>
   </message>
   <message>
-   <source>Where the frame is in its life</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Wo das Bild in seinem Werdegang steht</translation>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>{name} (Bild {n})</translation>
   </message>
   <message>
-   <source>How many frames have this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Wie viele Bilder diesen Status haben</translation>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
   </message>
   <message>
-   <source>Of all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Von allen Bildern</translation>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau (px)</translation>
   </message>
   <message>
-   <source>Of the frames that somebody worked on</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Von den Bildern, an denen gearbeitet wurde</translation>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Bild</translation>
   </message>
   <message>
-   <source>Of all frames with this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Von allen Bildern mit diesem Status</translation>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Jede Kurve ist das Mittel der Bilder, für die die Quelle eine Kamera hat.</translation>
   </message>
   <message>
-   <source>Class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
-   <translation>Klasse</translation>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Schattiert: 95-%-Bänder, {drawn}.</translation>
   </message>
   <message>
-   <source>An element of the field, or another class that occurs</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Ein Element des Feldes, oder eine andere vorkommende Klasse</translation>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
   </message>
   <message>
-   <source>How many frames it is annotated in</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>In wie vielen Bildern es annotiert ist</translation>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Verborgen: der Blindmodus zeigt nur abgegebene Bilder, und keines davon ist in diesem Diagramm.</translation>
   </message>
   <message>
-   <source>Its points in all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Seine Punkte in allen Bildern</translation>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint dieses Diagramm, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Einstellungen sind an den Namen erkannt, denn {error}.</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Fehler als Histogramm</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
    <translation>
-    <numerusform>{n:,} Punkt</numerusform>
-    <numerusform>{n:,} Punkte</numerusform>
+    <numerusform>{n:,} Punkt ohne Abstand ausgelassen.</numerusform>
+    <numerusform>{n:,} Punkte ohne Abstand ausgelassen.</numerusform>
    </translation>
   </message>
   <message>
-   <source>Overview of the set</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Übersicht des Satzes</translation>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Residuen über dem Bild</translation>
   </message>
   <message>
-   <source>Export CSV…</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>CSV exportieren…</translation>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Reprojektionsfehler (px)</translation>
   </message>
   <message>
-   <source>Write one row a frame to a table for a spreadsheet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Eine Zeile je Bild in eine Tabelle für Tabellenprogramme schreiben</translation>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Punkte</translation>
   </message>
   <message>
-   <source>Share of frames that are done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Anteil der fertigen oder freigegebenen Bilder</translation>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Der letzte Balken fasst alle größeren Fehler.</translation>
   </message>
   <message>
-   <source>Frames by status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Bilder nach Status</translation>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{px:g} px oder mehr</translation>
   </message>
   <message>
-   <source>Frames and points by class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Bilder und Punkte nach Klasse</translation>
-  </message>
-  <message numerus="yes">
-   <source>frames, {points}</source>
-   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>Bild, {points}</numerusform>
-    <numerusform>Bilder, {points}</numerusform>
-   </translation>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{name} {part:,} von {total:,}</translation>
   </message>
   <message>
-   <source>done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>fertig oder freigegeben</translation>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Kein Punkt von {element} in diesem Bild.</translation>
   </message>
   <message>
-   <source>a frame (median)</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>je Bild (Median)</translation>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Bisher kein Punkt von {element}.</translation>
   </message>
   <message>
-   <source>median JaC of {n:,}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Median-JaC von {n:,}</translation>
-  </message>
-  <message numerus="yes">
-   <source>of {n:,} comments open</source>
-   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>von {n:,} Kommentar offen</numerusform>
-    <numerusform>von {n:,} Kommentaren offen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>In {n:,} frames</source>
-   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>In {n:,} Bild</numerusform>
-    <numerusform>In {n:,} Bildern</numerusform>
-   </translation>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Kein annotierter Punkt in diesem Bild, den eine gezeigte Quelle projiziert.</translation>
   </message>
   <message>
-   <source>Nothing to sum up: no frames are open.
-Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Nichts zusammenzufassen: keine Bilder sind offen.
-Öffnen Sie zuerst einen Ordner mit Bildern.</translation>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Bisher kein annotierter Punkt, den eine gezeigte Quelle projiziert.</translation>
   </message>
   <message>
-   <source>Points by origin: {origins}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Punkte nach Herkunft: {origins}</translation>
-  </message>
-  <message numerus="yes">
-   <source>on {n:,} frames</source>
-   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>an {n:,} Bild</numerusform>
-    <numerusform>an {n:,} Bildern</numerusform>
-   </translation>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Pfeile länger gezeichnet</translation>
   </message>
   <message>
-   <source>no time taken yet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>noch keine Zeit erfasst</translation>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
   </message>
   <message>
-   <source>Time per frame in hours</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Zeit je Bild in Stunden</translation>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>automatisch</translation>
   </message>
   <message>
-   <source>Time per frame in minutes</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Zeit je Bild in Minuten</translation>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: vom Klick zur Projektion.</translation>
   </message>
   <message>
-   <source>Time per frame in seconds</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Zeit je Bild in Sekunden</translation>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: das mediane Residuum jedes Bildteils mit 5 Punkten oder mehr.</translation>
   </message>
   <message>
-   <source>No frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Keine Bilder</translation>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Noch zu wenige Punkte: fünf in einem Bildteil ergeben einen Pfeil.</translation>
   </message>
   <message>
-   <source>Elements per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Elemente je Bild</translation>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>Bild (*.png);;Vektorgrafik (*.svg)</translation>
   </message>
   <message>
-   <source>Time per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Zeit je Bild</translation>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>die Zahlen des Diagramms sind in der Zwischenablage</translation>
   </message>
   <message>
-   <source>No time yet: it is taken while somebody works on a frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Noch keine Zeit: sie wird erfasst, während jemand an einem Bild arbeitet</translation>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>Diagramm speichern</translation>
   </message>
   <message>
-   <source>{caption}; last bar: longer</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>{caption}; letzter Balken: länger</translation>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} geschrieben, soweit bewertet</translation>
   </message>
   <message>
-   <source>{hours:,} h {minutes:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{hours:,} h {minutes:02d} min</translation>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} geschrieben</translation>
   </message>
   <message>
-   <source>{seconds:.1f} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{seconds:.1f} s</translation>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>das Diagramm ist als Bild in der Zwischenablage</translation>
   </message>
   <message>
-   <source>{seconds} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{seconds} s</translation>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>es gibt kein Diagramm zum Mitnehmen</translation>
   </message>
   <message>
-   <source>{minutes} min {seconds:02d} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{minutes} min {seconds:02d} s</translation>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{frames}, soweit bewertet</translation>
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <translation>Quellen: {names}</translation>
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>({n:,} von {total:,})</translation>
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Alle Elemente</translation>
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Sichern</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Das Diagramm und seine Zahlen kopieren oder speichern</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Das Diagramm kopieren oder speichern</translation>
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Diagramm</translation>
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Das gezeigte Bild auftragen, oder alle bisher bewerteten</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Nur die Punkte eines Elements auftragen</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Öffnen Sie einen Ordner mit Bildern, um Diagramme zu sehen.</translation>
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Keine Kamera zu beurteilen.
+Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation>
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Dieses Diagramm konnte nicht berechnet werden: {error}.</translation>
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>({n:,} abgegeben)</translation>
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Bild kopieren</translation>
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Zahlen kopieren</translation>
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Bild speichern…</translation>
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Zahlen speichern…</translation>
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Wird berechnet…</translation>
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>(verborgen)</translation>
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>(ohne Bewertung)</translation>
   </message>
   <message>
    <source>Nobody has edited this frame here</source>
@@ -3140,6 +5507,11 @@ Open a folder of pictures first.</source>
    <source>Edited after the cameras were shown.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Bearbeitet, nachdem die Kameras gezeigt wurden.</translation>
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{seconds} s</translation>
   </message>
   <message>
    <source>Committed in blind mode by {author}</source>
@@ -3183,7 +5555,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
    <translation>Öffnen Sie zuerst einen Ordner mit Bildern.</translation>
   </message>
   <message>
@@ -3211,914 +5583,302 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>somebody</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/editing/batch_edits.py, procc_annotator/gui/state/state.py]</extracomment>
    <translation>jemand</translation>
   </message>
   <message>
-   <source>annotated</source>
-   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>annotiert</translation>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Ein Element wählen, um zu lesen, warum es so zählt.</translation>
   </message>
   <message>
-   <source>unconfirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>unbestätigt</translation>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>die Kamera ist die Anpassung an eben diese Klicks: dieser JaC bewertet keine Methode</translation>
   </message>
   <message>
-   <source>not visible</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>nicht sichtbar</translation>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Gespiegelte Klassen zählen hier: das um 180° gedrehte Feld passt mindestens so gut.</translation>
   </message>
   <message>
-   <source>next</source>
-   <comment>element</comment>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>als Nächstes</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>menschliches Rauschen {median:.2f} px, 95 % innerhalb {p95:.2f} px</translation>
   </message>
   <message>
-   <source>Not annotated in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>In diesem Bild nicht annotiert</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>menschliches Rauschen {median:.2f} px, 95 % innerhalb {p95:.2f} px – mehr als tau</translation>
   </message>
   <message>
-   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Annotiert, aber nicht beurteilt: keine Kamera wird gezeigt, oder es nimmt an der Auswertung nicht teil</translation>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Punkt</translation>
   </message>
   <message>
-   <source>Copied; it does not count until it is touched or confirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Kopiert; es zählt erst, wenn es berührt oder bestätigt ist</translation>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Größter</translation>
   </message>
   <message>
-   <source>Passes: all its points are closer than tau to the projection</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Besteht: alle seine Punkte sind der Projektion näher als tau</translation>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Besteht ab</translation>
   </message>
   <message>
-   <source>Too far: at least one point is tau or more away (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Zu weit: mindestens ein Punkt ist tau oder mehr entfernt (falsch positiv)</translation>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Eine Zeile anklicken, um den entscheidenden Punkt zu sehen</translation>
   </message>
   <message>
-   <source>The camera projects it, it is not annotated (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Die Kamera projiziert es, es ist nicht annotiert (falsch positiv)</translation>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Wie das Element bei tau zählt</translation>
   </message>
   <message>
-   <source>Annotated, the camera does not project it (false negative)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Annotiert, die Kamera projiziert es nicht (falsch negativ)</translation>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Der entscheidende Punkt, gezählt ab 1</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Jemand sagte, dass es in diesem Bild nicht zu sehen ist</translation>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Größter Abstand seiner Punkte zur Projektion, px</translation>
   </message>
   <message>
-   <source>To be annotated next, as on the field map and in the picture</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Als Nächstes zu annotieren, wie auf der Feldkarte und im Bild</translation>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Das kleinste tau des Schiebers, bei dem es besteht, px</translation>
   </message>
   <message>
-   <source>{title} (unknown class)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>{title} (unbekannte Klasse)</translation>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Kamera</translation>
   </message>
   <message>
-   <source>The picture cannot be shown</source>
-   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
-   <translation>Das Bild kann nicht gezeigt werden</translation>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Annotation</translation>
   </message>
   <message>
-   <source>Blind: no camera is shown before Ctrl+Enter</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Blind: keine Kamera vor Strg+Eingabe</translation>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>In Ordnung</translation>
   </message>
   <message>
-   <source>Blind mode, this frame is committed</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Blindmodus, dieses Bild ist abgegeben</translation>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Die aktive Kamera ist in diesem Bild falsch</translation>
   </message>
   <message>
-   <source>no camera is known here that could be dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>hier ist keine Kamera bekannt, die sich ziehen ließe</translation>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Die Klicks sind in diesem Bild falsch</translation>
   </message>
   <message>
-   <source>taken back: the camera is as before it was dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>zurückgenommen: die Kamera ist wie vor dem Ziehen</translation>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Kamera und Klicks sind in diesem Bild richtig</translation>
   </message>
   <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Blindmodus: es wird keine Kamera gezeigt</translation>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Bewertung je Element</translation>
   </message>
   <message>
-   <source>overlays are hidden (Ctrl+H)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Überlagerungen sind ausgeblendet (Strg+H)</translation>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Precision</translation>
   </message>
   <message>
-   <source>a homography cannot be turned: choose another model (panel Fit)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>eine Homographie lässt sich nicht drehen: wählen Sie ein anderes Modell (Bereich Anpassung)</translation>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Recall</translation>
   </message>
   <message>
-   <source>release leaves it here</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Loslassen lässt es hier</translation>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Mittlerer Fehler</translation>
   </message>
   <message>
-   <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc legt es zurück</translation>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Mittlerer Reprojektionsfehler aller Punkte, px</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>{n} Pflock hält die Kamera</numerusform>
-    <numerusform>{n} Pflöcke halten die Kamera</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>CAMERA</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>KAMERA</translation>
-  </message>
-  <message numerus="yes">
-   <source>peg taken away: {n} pegs left</source>
-   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>Pflock weggenommen: {n} Pflock bleibt</numerusform>
-    <numerusform>Pflock weggenommen: {n} Pflöcke bleiben</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>peg taken away: the camera is as it was found</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Pflock weggenommen: die Kamera ist, wie sie gefunden wurde</translation>
-  </message>
-  <message>
-   <source>peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Pflock</translation>
-  </message>
-  <message>
-   <source>press on a line of the wireframe</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>auf eine Linie des Drahtgitters drücken</translation>
-  </message>
-  <message>
-   <source>drag moves this peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Ziehen bewegt diesen Pflock</translation>
-  </message>
-  <message>
-   <source>click takes it away</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Klick nimmt ihn weg</translation>
-  </message>
-  <message>
-   <source>drag a place of the wireframe to where it belongs</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>eine Stelle des Drahtgitters dorthin ziehen, wo sie hingehört</translation>
-  </message>
-  <message>
-   <source>drag {title} to where it belongs: the camera follows</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>{title} dorthin ziehen, wo es hingehört: die Kamera folgt</translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Strg+Z nimmt es zurück</translation>
-  </message>
-  <message>
-   <source>PAN</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>VERSCHIEBEN</translation>
-  </message>
-  <message>
-   <source>drag moves the picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>Ziehen bewegt das Bild</translation>
-  </message>
-  <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Klick und Eingabe tun nichts</translation>
-  </message>
-  <message>
-   <source>Esc takes the tool again</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>Esc nimmt wieder das Werkzeug</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Bild</translation>
-  </message>
-  <message>
-   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>laden Sie einen zweiten Kamerasatz, um zwischen beiden zu blinken (Strg+L)</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Kamera unlesbar</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>hier keine Kamera</translation>
-  </message>
-  <message>
-   <source>{titles}: changed elsewhere, look again first</source>
-   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation>{titles}: anderswo geändert, sehen Sie erst noch einmal hin</translation>
-  </message>
-  <message>
-   <source>{title} has no points in this frame: choose the element to delete</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{title} hat in diesem Bild keine Punkte: wählen Sie das zu löschende Element</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>1 Klick von {title} auf {frame} ist unbestätigt aufgehoben: das Element dort wählen, um fortzufahren</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} mit {n} Punkt auf {frame} beendet</numerusform>
-    <numerusform>{title} mit {n} Punkten auf {frame} beendet</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>choose the element to delete first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>wählen Sie zuerst das zu löschende Element: Feldkarte, Liste oder Taste</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} points of {title}</source>
-   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt von {title} verworfen</numerusform>
-    <numerusform>{n} Punkte von {title} verworfen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} mit {n} Punkt beendet</numerusform>
-    <numerusform>{title} mit {n} Punkten beendet</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs</source>
-   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>
-    <numerusform>{n} Pflock</numerusform>
-    <numerusform>{n} Pflöcke</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera gezogen, {pegs}, an der Farbe genau gemacht: {share:.0%} ihrer Linien</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, not made exact: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera gezogen, {pegs}, nicht genau gemacht: {why}</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera gefunden, unsicher: {why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera gezogen, {pegs}</translation>
-  </message>
-  <message>
-   <source>Camera of the track: Shift+Enter accepts its elements</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera der Spur: Umschalt+Eingabe nimmt ihre Elemente an</translation>
-  </message>
-  <message>
-   <source>Looking for the camera in the picture …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Die Kamera wird im Bild gesucht …</translation>
-  </message>
-  <message>
-   <source>No camera found: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Keine Kamera gefunden: {why}</translation>
-  </message>
-  <message>
-   <source>Camera found, sure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera gefunden, sicher: {why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}: its lines are looked for …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera gezogen, {pegs}: ihre Linien werden gesucht …</translation>
-  </message>
-  <message>
-   <source>Camera of the track, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Kamera der Spur, unsicher: {why}</translation>
-  </message>
-  <message>
-   <source>{title}  ±{sd:.1f} px  unsure</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
-   <translation>{title}  ±{sd:.1f} px  unsicher</translation>
-  </message>
-  <message>
-   <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>als Nächstes: {title}</translation>
-  </message>
-  <message>
-   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>Fadenkreuz: die Pfeiltasten bewegen es (Umschalt 0.1 px, Strg 10 px, Strg+Umschalt 100 px), Leertaste klickt, Esc legt es weg</translation>
-  </message>
-  <message>
-   <source>point at a line first: with the mouse, or with the arrows</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>zeigen Sie zuerst auf eine Linie: mit der Maus oder mit den Pfeiltasten</translation>
-  </message>
-  <message>
-   <source>there is no line here to put a point on</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>hier ist keine Linie, auf die ein Punkt passt</translation>
-  </message>
-  <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Helligkeit</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Kontrast</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Gamma</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Linien verstärken</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Abgenutzte und beschattete Linien hervorholen</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Zurücksetzen</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Das Bild zeigen, wie es ist</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Nur was Sie sehen, ändert sich, nie die Datei</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Alle Werte verschieben</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Werte um das mittlere Grau spreizen</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Nach rechts werden dunkle Teile heller</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Wie gut die angepasste Kamera ist</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Meter am Boden, 1 σ</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera ({model}) is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Wie gut die angepasste Kamera ({model}) ist</translation>
-  </message>
-  <message>
-   <source>{metres:g} m, asked of offside technology</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m, von Abseitstechnik verlangt</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd, median {median:.2f}</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Meter am Boden, 1 σ, Median {median:.2f}</translation>
-  </message>
-  <message>
-   <source>metres on the ground</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Meter am Boden</translation>
-  </message>
-  <message>
-   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m: {percent:.0f} % des sichtbaren Feldes</translation>
-  </message>
-  <message>
-   <source>Drag to move the divider (arrow keys do it too)</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>Ziehen verschiebt die Trennlinie (Pfeiltasten auch)</translation>
-  </message>
-  <message>
-   <source>Divider of the split view</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>Trennlinie der geteilten Ansicht</translation>
-  </message>
-  <message>
-   <source>JaC over tau, differences</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC über tau, Differenzen</translation>
-  </message>
-  <message>
-   <source>No frame that two of the shown sources have is scored yet.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Noch kein Bild bewertet, das zwei der gezeigten Quellen haben.</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC über die Bilder</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Noch keine Bewertungen. Sie werden Bild für Bild im Hintergrund berechnet.</translation>
-  </message>
-  <message>
-   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{name} weniger jede andere Quelle, auf den Bildern, die beide haben. Jenseits des Zufalls, wo das 95-%-Band neben 0 liegt; {drawn}.</translation>
-  </message>
-  <message>
-   <source>One source alone has nothing to be compared with.
-Load or show another one.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Eine Quelle allein hat nichts zu vergleichen.
-Laden oder zeigen Sie eine weitere.</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name} (Bild {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
-  </message>
-  <message>
-   <source>JaC, difference</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC, Differenz</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Bild</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Jede Kurve ist das Mittel der Bilder, für die die Quelle eine Kamera hat.</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Schattiert: 95-%-Bänder, {drawn}.</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Fehler als Histogramm</translation>
-  </message>
-  <message>
-   <source>Errors, by image radius</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Fehler nach Bildradius</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Punkt ohne Abstand ausgelassen.</numerusform>
-    <numerusform>{n:,} Punkte ohne Abstand ausgelassen.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
-   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>Gezeigt: {painted:,} von {n:,} Punkt, darunter die größten Fehler.</numerusform>
-    <numerusform>Gezeigt: {painted:,} von {n:,} Punkten, darunter die größten Fehler.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Reprojektionsfehler (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Punkte</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Der letzte Balken fasst alle größeren Fehler.</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{px:g} px oder mehr</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} von {total:,}</translation>
-  </message>
-  <message>
-   <source>distance from the centre (corner = 1)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Abstand von der Mitte (Ecke = 1)</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Kein Punkt von {element} in diesem Bild.</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Bisher kein Punkt von {element}.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Kein annotierter Punkt in diesem Bild, den eine gezeigte Quelle projiziert.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Bisher kein annotierter Punkt, den eine gezeigte Quelle projiziert.</translation>
-  </message>
   <message>
-   <source>Lines: running median of all points.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Linien: gleitender Median aller Punkte.</translation>
-  </message>
-  <message>
-   <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation>Quellen: {names}</translation>
-  </message>
-  <message>
-   <source>({n:,} of {total:,})</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>({n:,} von {total:,})</translation>
-  </message>
-  <message>
-   <source>All elements</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Alle Elemente</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Sichern</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Das Diagramm und seine Zahlen kopieren oder speichern</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Das Diagramm kopieren oder speichern</translation>
-  </message>
-  <message>
-   <source>Plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Diagramm</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Das gezeigte Bild auftragen, oder alle bisher bewerteten</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Nur die Punkte eines Elements auftragen</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Öffnen Sie einen Ordner mit Bildern, um Diagramme zu sehen.</translation>
-  </message>
-  <message>
-   <source>This plot could not be computed: {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Dieses Diagramm konnte nicht berechnet werden: {error}.</translation>
-  </message>
-  <message>
-   <source>({n:,} committed)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>({n:,} abgegeben)</translation>
-  </message>
-  <message>
-   <source>Copy picture</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Bild kopieren</translation>
-  </message>
-  <message>
-   <source>Copy numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Zahlen kopieren</translation>
-  </message>
-  <message>
-   <source>Save picture…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Bild speichern…</translation>
-  </message>
-  <message>
-   <source>Save numbers…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Zahlen speichern…</translation>
-  </message>
-  <message>
-   <source>Computing…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Wird berechnet…</translation>
-  </message>
-  <message>
-   <source>(hidden)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>(verborgen)</translation>
-  </message>
-  <message>
-   <source>(no score)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>(ohne Bewertung)</translation>
-  </message>
-  <message>
-   <source>Pan, tilt, roll, zoom over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Schwenk, Neigung, Rollen, Zoom über die Bilder</translation>
-  </message>
-  <message>
-   <source>Position over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Position über die Bilder</translation>
-  </message>
-  <message>
-   <source>tilt</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Neigung</translation>
-  </message>
-  <message>
-   <source>roll</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Rollen</translation>
-  </message>
-  <message>
-   <source>focal</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Brennweite</translation>
-  </message>
-  <message>
-   <source>height</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Höhe</translation>
-  </message>
-  <message>
-   <source>No poses yet. They are gathered in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Noch keine Posen. Sie werden Bild für Bild im Hintergrund gesammelt.</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Schwenk</translation>
-  </message>
-  <message>
-   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Die gezeigten Quellen haben Modelle ohne Pose (Homographien, bloße Projektionen).</translation>
-  </message>
-  <message numerus="yes">
-   <source>{name}: {n:,} jumps (rings).</source>
-   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>
-    <numerusform>{name}: {n:,} Sprung (Ring).</numerusform>
-    <numerusform>{name}: {n:,} Sprünge (Ringe).</numerusform>
-   </translation>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Median des Reprojektionsfehlers, px</translation>
   </message>
   <message>
-   <source>{name}: its model has no pose.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name}: sein Modell hat keine Pose.</translation>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Max.</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Verborgen: der Blindmodus zeigt nur abgegebene Bilder, und keines davon ist in diesem Diagramm.</translation>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Größter Reprojektionsfehler, px</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Verborgen: im Blindmodus erscheint dieses Diagramm, sobald dieses Bild abgegeben ist.</translation>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{name} hat keine Kamera für dieses Bild.</translation>
   </message>
   <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Einstellungen sind an den Namen erkannt, denn {error}.</translation>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Punkte: {kinds}</translation>
   </message>
   <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Residuen über dem Bild</translation>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Fehler</translation>
   </message>
   <message>
-   <source>Residuals, by direction</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Residuen nach Richtung</translation>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Woran die Bewertung dieses Bildes liegt; wird beim Datensatz aufbewahrt</translation>
   </message>
   <message>
-   <source>{px:.2f} px right</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px nach rechts</translation>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Diese Erklärung kopieren</translation>
   </message>
   <message>
-   <source>{px:.2f} px left</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px nach links</translation>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Alle Erklärungen kopieren</translation>
   </message>
   <message>
-   <source>{px:.2f} px down</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px nach unten</translation>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Öffnen Sie einen Ordner mit Bildern, um Bewertungen zu sehen.</translation>
   </message>
   <message>
-   <source>{px:.2f} px up</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px nach oben</translation>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC –: {why}.</translation>
   </message>
   <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Pfeile länger gezeichnet</translation>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Die Kamera dieses Bildes ist nicht zu gebrauchen:
+{error}</translation>
   </message>
   <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Keine Anpassung zu beurteilen: {why}.</translation>
   </message>
   <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>automatisch</translation>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Urteil: {verdict}</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: vom Klick zur Projektion.</translation>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{verdict}; noch einmal nimmt es zurück ({key})</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: das mediane Residuum jedes Bildteils mit 5 Punkten oder mehr.</translation>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Elemente, deren Punkte alle näher als tau sind</translation>
   </message>
   <message>
-   <source>to the right (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>nach rechts (px)</translation>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Elemente zu weit weg, oder projiziert und nicht annotiert</translation>
   </message>
   <message>
-   <source>down (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>nach unten (px)</translation>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Annotierte Elemente, die die Kamera nicht projiziert</translation>
   </message>
   <message>
-   <source>Median of clicks to projection: {ways}.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Median von Klick zu Projektion: {ways}.</translation>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Zählt als {class_name}</translation>
   </message>
   <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Noch zu wenige Punkte: fünf in einem Bildteil ergeben einen Pfeil.</translation>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Anker</translation>
   </message>
   <message>
-   <source>No three frames in a row have a camera that goes from one to the next.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Nirgends haben drei Bilder hintereinander eine Kamera, die von einem zum nächsten geht.</translation>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>verfolgt</translation>
   </message>
   <message>
-   <source>Jitter over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Zittern über die Bilder</translation>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>überbrückt</translation>
   </message>
   <message>
-   <source>How far each frame is from steady motion between its neighbours.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Wie weit jedes Bild von gleichmäßiger Bewegung zwischen seinen Nachbarn abweicht.</translation>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>verloren</translation>
   </message>
   <message>
-   <source>jitter (px)</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Zittern (px)</translation>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Bild {number} von {first}–{last}</translation>
   </message>
   <message>
-   <source>Picture (*.png);;Vector graphics (*.svg)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>Bild (*.png);;Vektorgrafik (*.svg)</translation>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{state}, {share:.0%} der Linien auf Farbe</translation>
   </message>
   <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Tabelle (*.csv)</translation>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Namen zählen in Schritten von {step}</translation>
   </message>
   <message>
-   <source>the plotted numbers are on the clipboard</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>die Zahlen des Diagramms sind in der Zwischenablage</translation>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>ihre Kamera wurde gezogen</translation>
   </message>
   <message>
-   <source>Save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>Diagramm speichern</translation>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>blind: die Kamera ist verborgen</translation>
   </message>
   <message>
-   <source>wrote {path}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} geschrieben, soweit bewertet</translation>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{found}, {far:.1f} px davon entfernt</translation>
   </message>
   <message>
-   <source>wrote {path}</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} geschrieben</translation>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>zweifelhaft: {why}</translation>
   </message>
   <message>
-   <source>the plot is on the clipboard as a picture</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>das Diagramm ist als Bild in der Zwischenablage</translation>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Bilder der Einstellung</translation>
   </message>
   <message>
-   <source>there is nothing plotted to take along</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>es gibt kein Diagramm zum Mitnehmen</translation>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Die Pfeiltasten gehen von Bild zu Bild, mit Umschalt markieren sie einen Abschnitt, Esc vergisst ihn</translation>
   </message>
   <message>
-   <source>{frames}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{frames}, soweit bewertet</translation>
+   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
+   <extracomment>[procc_annotator/gui/panels/widgets.py]</extracomment>
+   <translation>nicht {number:g}: {least:g} bis {most:g}{unit}</translation>
   </message>
   <message>
    <source>Fit and ghosts</source>
@@ -4129,6 +5889,11 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>Annotating</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
    <translation>Annotieren</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what})</source>
+   <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
+   <translation>unerwarteter Fehler ({what})</translation>
   </message>
   <message>
    <source>{who} unlocked this dataset from blind mode on {day}</source>
@@ -4161,11 +5926,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>{reason}: das Menü Bild hebt es auf, was vermerkt wird</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
-  </message>
-  <message>
    <source>this dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
    <translation>dieser Datensatz ist auf Blindmodus festgelegt</translation>
@@ -4186,169 +5946,119 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>laden Sie einen ihrer Ordner: {names}</translation>
   </message>
   <message>
-   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} sagen nur, wo die Elemente liegen, keine Kamera: es gibt keinen Boden zum Vergleichen.</translation>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>es enthält bereits dasselbe</translation>
   </message>
   <message>
-   <source>{names}: no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names}: keine Kamera für dieses Bild.</translation>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>es ist schon annotiert</translation>
   </message>
   <message>
-   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{name} sagt nur, wo die Elemente liegen, keine Kamera: es gibt keinen Boden zum Vergleichen.</translation>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>{who} bearbeitet es</translation>
   </message>
   <message>
-   <source>{a} and {b}</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{a} und {b}</translation>
-  </message>
-  <message>
-   <source>The two see no part of the field in common in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Beide sehen in diesem Bild keinen gemeinsamen Teil des Feldes.</translation>
-  </message>
-  <message>
-   <source>Both cameras are the same in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Beide Kameras sind in diesem Bild gleich.</translation>
-  </message>
-  <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Blind: verborgen, bis dieses Bild abgegeben ist.</translation>
-  </message>
-  <message>
-   <source>No source is judged: choose one first.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Keine Quelle wird beurteilt: wählen Sie zuerst eine.</translation>
-  </message>
-  <message>
-   <source>Two sources of cameras are needed: load another one.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Zwei Kameraquellen sind nötig: laden Sie eine weitere.</translation>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>es lässt sich nicht bearbeiten</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>blind: hier ist nichts annotiert; noch einmal Strg+Eingabe zeigt die Kameras, und was danach geklickt wird, ist keine blinde Arbeit</translation>
   </message>
   <message>
    <source>{frame} is done</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} ist fertig</translation>
   </message>
   <message>
    <source>nothing to undo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>in diesem Bild ist nichts rückgängig zu machen</translation>
   </message>
   <message>
    <source>undo once more takes that away</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>noch einmal Rückgängig nimmt das weg</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} wurde anderswo geändert und neu gelesen: {so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>unbestätigte Elemente zählen nicht: {count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rückgängig: {step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>wiederholt: {step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} wurde anderswo geändert: neu gelesen</translation>
   </message>
   <message>
    <source>nothing is undone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>nichts wird rückgängig gemacht</translation>
   </message>
   <message>
    <source>nothing is redone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>nichts wird wiederholt</translation>
   </message>
   <message>
    <source>nothing to redo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>in diesem Bild ist nichts zu wiederholen</translation>
   </message>
   <message>
-   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>{file} sagt, was das Feld dieses Datensatzes ist: um ein anderes zu wählen, legen Sie die Datei weg und öffnen Sie den Datensatz neu</translation>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>Kameras von {name} geändert: {why}</translation>
   </message>
   <message>
-   <source>field: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>Feld: {field}</translation>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>Kameras von {name} auf der Platte geändert: neu gelesen</translation>
   </message>
   <message>
-   <source>this dataset's field from now on: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>das Feld dieses Datensatzes ab jetzt: {field}</translation>
-  </message>
-  <message>
-   <source>this dataset's field from now on, {reach}: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>das Feld dieses Datensatzes ab jetzt, {reach}: {field}</translation>
-  </message>
-  <message>
-   <source>no other field knows the classes here better</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>kein anderes Feld kennt die Klassen hier besser</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>jedes Bild nach diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>jedes Bild vor diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>{title}: its line could not be looked for: {why}</source>
-   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation>{title}: seine Linie konnte nicht gesucht werden: {why}</translation>
-  </message>
-  <message>
-   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} liegt bei {place} m, ± {deviations}, aus {views} Ansichten</translation>
-  </message>
-  <message>
-   <source>{title} was deleted meanwhile: its place was not kept</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} wurde inzwischen gelöscht: der Ort wurde nicht behalten</translation>
-  </message>
-  <message>
-   <source>left out: {names}</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>ausgelassen: {names}</translation>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/saving.py]</extracomment>
+   <translation>nicht gespeichert: {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
    <translation>die Landmarken des Datensatzes bleiben, wie sie waren: {why}</translation>
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} liegt bei {place} m, ± {deviations}, aus {views} Ansichten</translation>
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} wurde inzwischen gelöscht: der Ort wurde nicht behalten</translation>
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>ausgelassen: {names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
@@ -4361,54 +6071,149 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>die Landmarken des Datensatzes sind wieder verwendbar</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>die laufende Anpassung ist aus</translation>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names} sagen nur, wo die Elemente liegen, keine Kamera: es gibt keinen Boden zum Vergleichen.</translation>
   </message>
   <message>
-   <source>the fit failed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>die Anpassung misslang: {why}</translation>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names}: keine Kamera für dieses Bild.</translation>
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{name} sagt nur, wo die Elemente liegen, keine Kamera: es gibt keinen Boden zum Vergleichen.</translation>
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{a} und {b}</translation>
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Beide sehen in diesem Bild keinen gemeinsamen Teil des Feldes.</translation>
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Beide Kameras sind in diesem Bild gleich.</translation>
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Blind: verborgen, bis dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Keine Quelle wird beurteilt: wählen Sie zuerst eine.</translation>
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Zwei Kameraquellen sind nötig: laden Sie eine weitere.</translation>
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Die angepasste Kamera sieht keinen Teil des Feldes.</translation>
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Die laufende Anpassung ist aus, daher keine Karte der Unsicherheit (Strg+T schaltet sie ein).</translation>
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Zu diesem Bild gibt es keine Anpassung, daher keine Karte der Unsicherheit.</translation>
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Noch keine Kamera, daher keine Karte der Unsicherheit: {why}.</translation>
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>die Linienbreite lässt sich nicht zeichnen: {why}</translation>
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>{file} sagt, was das Feld dieses Datensatzes ist: um ein anderes zu wählen, legen Sie die Datei weg und öffnen Sie den Datensatz neu</translation>
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>Feld: {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>das Feld dieses Datensatzes ab jetzt: {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>das Feld dieses Datensatzes ab jetzt, {reach}: {field}</translation>
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>kein anderes Feld kennt die Klassen hier besser</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>jedes Bild nach diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>jedes Bild vor diesem ist annotiert</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>{folder} ist nicht beschreibbar: nichts, was hier annotiert wird, lässt sich speichern</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>noch ist nicht alles gespeichert: der andere Datensatz wurde nicht geöffnet</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>noch ist nicht alles gespeichert: das Video wurde nicht geöffnet</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>nichts ist geöffnet</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>das Feld dieses Datensatzes: {field}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>Kameras von {name} geändert: {why}</translation>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>{title}: seine Linie konnte nicht gesucht werden: {why}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed on disk: read again</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>Kameras von {name} auf der Platte geändert: neu gelesen</translation>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>die laufende Anpassung ist aus</translation>
   </message>
   <message>
-   <source>the painted width cannot be drawn: {why}</source>
-   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation>die Linienbreite lässt sich nicht zeichnen: {why}</translation>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>die Anpassung misslang: {why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -4436,9 +6241,14 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>nur in diesem Fenster: nichts lässt sich schreiben</translation>
   </message>
   <message>
-   <source>not saved: {why}</source>
-   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation>nicht gespeichert: {why}</translation>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}: keine Kameras darin ({what_to_do})</translation>
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}: keine Kamera heißt wie ein Bild (Kameras heißen wie {camera!r}, Bilder wie {frame!r})</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -4457,36 +6267,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
    <translation>zweiter Annotator: {why}</translation>
-  </message>
-  <message>
-   <source>it holds the same already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>es enthält bereits dasselbe</translation>
-  </message>
-  <message>
-   <source>it is annotated already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>es ist schon annotiert</translation>
-  </message>
-  <message>
-   <source>{who} is editing it</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>{who} bearbeitet es</translation>
-  </message>
-  <message>
-   <source>it cannot be edited</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>es lässt sich nicht bearbeiten</translation>
-  </message>
-  <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}: keine Kameras darin ({what_to_do})</translation>
-  </message>
-  <message>
-   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}: keine Kamera heißt wie ein Bild (Kameras heißen wie {camera!r}, Bilder wie {frame!r})</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
@@ -4509,2257 +6289,59 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>Annotation ist unlesbar</translation>
   </message>
   <message>
-   <source>The fitted camera sees no part of the field.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Die angepasste Kamera sieht keinen Teil des Feldes.</translation>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Geist von {title}</translation>
   </message>
   <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Die laufende Anpassung ist aus, daher keine Karte der Unsicherheit (Strg+T schaltet sie ein).</translation>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Annehmen</translation>
   </message>
   <message>
-   <source>There is no fit of this frame, so no uncertainty map.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Zu diesem Bild gibt es keine Anpassung, daher keine Karte der Unsicherheit.</translation>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Genau ansehen</translation>
   </message>
   <message>
-   <source>No camera yet, so no uncertainty map: {why}.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Noch keine Kamera, daher keine Karte der Unsicherheit: {why}.</translation>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
+   <translation>Hier nicht sichtbar</translation>
   </message>
   <message>
-   <source>Frames as small pictures</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>Bilder in klein</translation>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title} wird gezeichnet</translation>
   </message>
   <message>
-   <source>The arrows go along, Enter shows the frame</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>Die Pfeiltasten gehen entlang, Eingabe zeigt das Bild</translation>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Hier teilen: der Rest wird</translation>
   </message>
   <message>
-   <source>Frames of the shot</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>Bilder der Einstellung</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Hier nicht sichtbar: zurücknehmen</translation>
   </message>
   <message>
-   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>Die Pfeiltasten gehen von Bild zu Bild, mit Umschalt markieren sie einen Abschnitt, Esc vergisst ihn</translation>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Klasse ändern in (tauscht mit einer annotierten)</translation>
   </message>
   <message>
-   <source>anchor</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>Anker</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Punkt {number} von {title}</translation>
   </message>
   <message>
-   <source>followed</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>verfolgt</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Vereinen mit</translation>
   </message>
   <message>
-   <source>bridged</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>überbrückt</translation>
-  </message>
-  <message>
-   <source>lost</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>verloren</translation>
-  </message>
-  <message>
-   <source>frame {number} of {first}–{last}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>Bild {number} von {first}–{last}</translation>
-  </message>
-  <message>
-   <source>{state}, {share:.0%} of the lines on paint</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{state}, {share:.0%} der Linien auf Farbe</translation>
-  </message>
-  <message>
-   <source>names count by {step}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>Namen zählen in Schritten von {step}</translation>
-  </message>
-  <message>
-   <source>its camera was dragged</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>ihre Kamera wurde gezogen</translation>
-  </message>
-  <message>
-   <source>blind: its camera is hidden</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>blind: die Kamera ist verborgen</translation>
-  </message>
-  <message>
-   <source>{found}, {far:.1f} px from it</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{found}, {far:.1f} px davon entfernt</translation>
-  </message>
-  <message>
-   <source>doubtful: {why}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>zweifelhaft: {why}</translation>
-  </message>
-  <message>
-   <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>nichts geändert: schon regelmäßig, oder dort fand sich keine gemalte Linie</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} von {frame} kopiert, entlang der Spur; Umschalt+V bestätigt alle</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} von {frame} kopiert, mit der Kamera verschoben; Umschalt+V bestätigt alle</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} von {frame} kopiert, wie sie waren: keine Bewegung gefunden; Umschalt+V bestätigt alle</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>zurückgenommen: nichts wird begradigt</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>zurückgenommen: nichts wird kopiert</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>das Bild wurde verlassen: nichts wurde begradigt</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>das Bild wurde verlassen: nichts wurde kopiert</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt nicht durch Farbe bestätigt</numerusform>
-    <numerusform>{n} Punkte nicht durch Farbe bestätigt</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} begradigen</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>von {frame} kopieren</translation>
-  </message>
-  <message>
-   <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>wählen Sie zuerst ein annotiertes Element</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element</numerusform>
-    <numerusform>{n} Elemente</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what} begradigt: {n} Punkt</numerusform>
-    <numerusform>{what} begradigt: {n} Punkte</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{element} hat Ecken oder ist ein einzelner Ort: es bleibt, wie es ist</translation>
-  </message>
-  <message>
-   <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>hier ist kein Element des Feldes annotiert</translation>
-  </message>
-  <message>
-   <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>kein Bild vor diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} hat kein Element, das hier fehlt</translation>
-  </message>
-  <message>
-   <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} wird {other}</translation>
-  </message>
-  <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} und {other} tauschen</translation>
-  </message>
-  <message>
-   <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} als {other} kopieren</translation>
-  </message>
-  <message>
-   <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} mit {other} vereinen</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>Lücken schließen</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element bestätigen</numerusform>
-    <numerusform>{n} Elemente bestätigen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
-    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} ist seine eigene symmetrische Klasse</translation>
-  </message>
-  <message numerus="yes">
-   <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{elements} ist schon annotiert</numerusform>
-    <numerusform>{elements} sind schon annotiert</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} liegt, wo {other} ist: ziehen Sie es an seinen Platz</translation>
-  </message>
-  <message>
-   <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} umkehren</translation>
-  </message>
-  <message>
-   <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>wählen Sie zuerst den Punkt, an dem geteilt werden soll (beim Bearbeiten)</translation>
-  </message>
-  <message>
-   <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} teilen</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element bestätigt</numerusform>
-    <numerusform>{n} Elemente bestätigt</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>in diesem Bild ist nichts unbestätigt</translation>
-  </message>
-  <message>
-   <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>kein Ende liegt so nahe an einer Ecke oder am Bildrand</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} unbestätigtes Element verworfen</numerusform>
-    <numerusform>{n} unbestätigte Elemente verworfen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>ein Element wird an einem Punkt zwischen seinen Enden geteilt, in eine freie Klasse</translation>
-  </message>
-  <message>
-   <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} wurde anderswo geändert: sehen Sie noch einmal hin</translation>
-  </message>
-  <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt</numerusform>
-    <numerusform>{n} Punkte</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}: {points}, Linie zu {share:.0%} zu sehen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Ende von {elements} ist nicht zu sehen: die Punkte hören davor auf</numerusform>
-    <numerusform>{n} Enden von {elements} sind nicht zu sehen: die Punkte hören davor auf</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>die Kamera ist inzwischen eine andere</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} annehmen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Geist</numerusform>
-    <numerusform>{n} Geister</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} von {total} Geistern</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} angenommen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Ende ist nicht zu sehen: die Punkte hören davor auf</numerusform>
-    <numerusform>{n} Enden sind nicht zu sehen: die Punkte hören davor auf</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>das Bild wurde inzwischen bearbeitet</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>die Suche nach der Linie auf {frame} dauerte zu lange</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} ist nicht angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Alle Geister annehmen</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>Wie viel der Linie eines Geistes zu sehen sein muss, damit er mit allen anderen angenommen wird (%):</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}: keine gemalte Linie gefunden; klicken Sie es von Hand, oder sagen Sie, dass es hier nicht sichtbar ist (.)</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>die Kamera wird angepasst: nehmen Sie ihre Geister gleich an</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} auf {frame} angenommen</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen: es gibt kein Bild, um ihre Linien zu suchen</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} ist nicht angenommen</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>der Geist ist angenommen: nehmen Sie die Geister der neuen Anpassung an</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>das Gezeichnete ist beendet: nehmen Sie die Geister der neuen Anpassung an</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} ist angenommen, sobald seine Punkte gefunden sind</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>gehen Sie zuerst zu einem Geist (Tab) oder wählen Sie ein Element</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>das war der erste Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
-    <numerusform>das war der erste Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente, oder folgen Sie der Einstellung (T)</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>das war der letzte Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
-    <numerusform>das war der letzte Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>die Kamera wird angepasst: Geister kommen gleich</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: die Kamera wird im Bild gesucht</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: {why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: was sonst zu sehen ist, ist annotiert oder nicht gut genug bekannt</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: annotieren Sie drei oder vier Elemente, daraus folgt eine Kamera</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister im Blindmodus, bis das Bild abgegeben ist (Strg+Eingabe)</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: die laufende Anpassung ist aus (Strg+T)</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: sie sind ausgeschaltet (Element &gt; Geister &gt; Geister zeigen)</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>Überlagerungen sind ausgeblendet: kein Geist ist zu sehen (Strg+H, oder X loslassen)</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>beenden Sie zuerst, was gezeichnet wird (Eingabe), oder brechen Sie es ab (Esc)</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: keine Kamera ließ sich anpassen</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>noch passt keine Kamera</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>es wird von Hand gezeichnet</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} ist hier annotiert: löschen Sie es zuerst (Strg+Entf)</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} ist hier nicht sichtbar; Strg+. nimmt es zurück</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} ist hier vielleicht wieder sichtbar</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>kein Element dieses Bildes galt als nicht sichtbar</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>das war der letzte Geist</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>gehen Sie zuerst zu einem Geist (Tab)</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{off}; wählen Sie zuerst ein Element</translation>
-  </message>
-  <message>
-   <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Name der Linie</translation>
-  </message>
-  <message>
-   <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Welche Linie ist das?</translation>
-  </message>
-  <message>
-   <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} ist eine Kurve, die zwei Punkte nicht zeigen: weiterklicken</translation>
-  </message>
-  <message>
-   <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} ist bereits annotiert</translation>
-  </message>
-  <message>
-   <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Unbenannt lassen</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Bewertungen weichen dann von denen des Nennfeldes ({nominal}) ab, das offizielle Auswertungen nehmen; sie nennen die Maße, mit denen sie berechnet sind.</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Eigene Maße (stadiums.csv): {frames} von {stadiums}. Was hier eingegeben wird, gilt für alle anderen, und für das, was Stadien offenlassen.</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Bewertungen weichen dann von denen offizieller Auswertungen ab, die Linien dort nehmen, wo die Regeln sie messen; sie sagen es.</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Die Regeln messen viele Linien an einer Kante ihrer Farbe. Klicks liegen auf deren Mitte, die halbe Linienbreite daneben: wählen Sie das, wo es darauf ankommt, etwa in Hallen und nahe der Kamera.</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Nur Länge und Breite werden aus Bildern bestimmt, und die Regeln legen die dieses Feldes fest</translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>wo die Regeln messen</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>in der Mitte der Farbe</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Feldmaße: {field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Aus diesem Satz schätzen</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Für diesen Datensatz behalten</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Nennmaße</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Das Feld, wie offizielle Auswertungen es nehmen</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Nennmaß {nominal:g} m, die Regeln erlauben {minimum:g} bis {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>&lt;b&gt;nicht {number:g} m: die Regeln erlauben {minimum:g} bis {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Bild</numerusform>
-    <numerusform>{n} Bilder</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Stadion</numerusform>
-    <numerusform>{n} Stadien</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Klicks liegen:</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Das Feld behalten und zu diesen Klassen nichts mehr sagen</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Der Datensatz merkt es sich und wird nicht noch einmal gefragt</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Nein, {field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Das Feld dieses Datensatzes</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Feldbeschreibungen (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Ist das {field}? Die hier annotierten Klassen sind die von {field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{why}, aber {file} im Ordner des Datensatzes entscheidet</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Ja, {field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Zu {field} wechseln</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{problem}; das Feld blieb, wie es war: {field}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bild.</numerusform>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bildern.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>Aus der Kamera von {n} Bild; ± ist eine Standardabweichung.</numerusform>
-    <numerusform>Aus den Kameras von {n} Bildern; ± ist eine Standardabweichung.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>{remark}; es blieb, wie es war.</translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Blind: nicht abgegebene Bilder nahmen nicht teil ({n}).</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Unlesbare Bilder nahmen nicht teil: {n}.</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>die Regeln legen jedes Maß des Feldes {field} fest</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Blind: der Satz wird angesehen, sobald ein Bild davon abgegeben ist (Strg+Eingabe).</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Bilder eines Augenblicks aus verschiedenen Kameras bilden eine Gruppe. Ihre Namen sagen, welche, nach einem Muster: &lt;b&gt;{instant}&lt;/b&gt; steht dafür, wann ein Bild entstand, &lt;b&gt;{view}&lt;/b&gt; für die Kamera, alles andere für sich selbst. Ein regulärer Ausdruck mit &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; und &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; tut es auch.</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Kein passendes Muster für diese Namen gefunden: schreiben Sie eines.</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Augenblick</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames} in {n:,} Gruppe von {least} bis {most}</numerusform>
-    <numerusform>{frames} in {n:,} Gruppen von {least} bis {most}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames} in {n:,} Gruppe</numerusform>
-    <numerusform>{frames} in {n:,} Gruppen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Gruppen von Bildern</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Augenblick mit nur einem Bild</numerusform>
-    <numerusform>{n:,} Augenblicke mit nur einem Bild</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Name passt nicht (zuletzt in der Tabelle)</numerusform>
-    <numerusform>{n:,} Namen passen nicht (zuletzt in der Tabelle)</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Ansichten gruppieren</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Muster der Bildnamen</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>{file} schreiben</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Diese Gruppen im Ordner des Datensatzes behalten</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>Was jetzt darin steht, geht verloren, samt allem anderen.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} aus {n:,} Augenblick</numerusform>
-    <numerusform>{frames} aus {n:,} Augenblicken</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild, nicht gruppiert.</numerusform>
-    <numerusform>{n:,} Bilder, keines gruppiert.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} gibt es schon: {sizes}.</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} gruppiert ab jetzt {sizes}</translation>
-  </message>
-  <message>
-   <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Was daraus wurde</translation>
-  </message>
-  <message>
-   <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Annotationen importieren</translation>
-  </message>
-  <message>
-   <source>Import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Importieren</translation>
-  </message>
-  <message>
-   <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Zu importierende Annotationen</translation>
-  </message>
-  <message>
-   <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>In die Dateien sehen</translation>
-  </message>
-  <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Nur Bilder, in denen noch nichts annotiert ist</translation>
-  </message>
-  <message>
-   <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Auch in den anderen ersetzen, was annotiert ist</translation>
-  </message>
-  <message>
-   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Was da war, bleibt unter den früheren Fassungen des Bildes, und Rückgängig holt es zurück</translation>
-  </message>
-  <message>
-   <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Annotationen</translation>
-  </message>
-  <message>
-   <source>Format</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Format</translation>
-  </message>
-  <message>
-   <source>Import into</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Importieren in</translation>
-  </message>
-  <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Bilder werden nach dem Namen der Bilddatei zugeordnet.</translation>
-  </message>
-  <message>
-   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Annotationen (*.json *.xml *.zip);;Alle Dateien (*)</translation>
-  </message>
-  <message>
-   <source>Export as</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Exportieren als</translation>
-  </message>
-  <message>
-   <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Ein Zip-Archiv statt eines Ordners</translation>
-  </message>
-  <message>
-   <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Vorhandene Dateien ersetzen</translation>
-  </message>
-  <message>
-   <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Elemente behalten, für die SoccerNet keine Klasse hat</translation>
-  </message>
-  <message>
-   <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Breite der Linien</translation>
-  </message>
-  <message>
-   <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Auch die Bilder kopieren</translation>
-  </message>
-  <message>
-   <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>In einen Ordner exportieren</translation>
-  </message>
-  <message>
-   <source>Keeps {holds}.
-Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Behält {holds}.
-Verliert {loses}.</translation>
-  </message>
-  <message>
-   <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
-   <translation>Abbrechen</translation>
-  </message>
-  <message>
-   <source>Close</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Schließen</translation>
-  </message>
-  <message>
-   <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Ein Ordner, ein Zip-Archiv oder eine Datei</translation>
-  </message>
-  <message>
-   <source>File…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Datei…</translation>
-  </message>
-  <message>
-   <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Ordner…</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Zip-Archiv (*.zip)</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Annotation</numerusform>
-    <numerusform>{n:,} Annotationen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>JaC von {n:,} Bild</numerusform>
-    <numerusform>JaC von {n:,} Bildern</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{source} entsteht aus den Klicks, an denen es gemessen würde: beurteilen Sie die zu bewertenden Kameras (procc-annotator calibrate passt einen Satz an und bewertet ihn)</translation>
-  </message>
-  <message>
-   <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{annotations} und {scores}</translation>
-  </message>
-  <message>
-   <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>nichts: kein Bild ist annotiert</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Zip-Archiv (*.zip);;Ordner (*)</translation>
-  </message>
-  <message>
-   <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Tabelle (*.csv);;JSON (*.json)</translation>
-  </message>
-  <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>laden Sie zuerst Kameras: es gibt nichts zu bewerten</translation>
-  </message>
-  <message>
-   <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>blind: noch ist kein Bild abgegeben, also gibt es keinen JaC zu zeigen</translation>
-  </message>
-  <message>
-   <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{what} nach {path} exportiert</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>nicht alles ließ sich speichern: der Export hat den zuletzt gespeicherten Stand</translation>
-  </message>
-  <message numerus="yes">
-   <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebenes Bild aus</numerusform>
-    <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebene Bilder aus</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Datei war unlesbar: {problem}</numerusform>
-    <numerusform>{n:,} Dateien waren unlesbar: {problem}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Exportieren</translation>
-  </message>
-  <message>
-   <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>exportiert {done} / {total}</translation>
-  </message>
-  <message>
-   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>{frames}, {elements} und {points} nach {path} geschrieben ({format}).</translation>
-  </message>
-  <message>
-   <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Nicht alles ließ sich speichern: es gilt, was auf der Platte ist.</translation>
-  </message>
-  <message>
-   <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Export: abgebrochen; schon geschriebene Dateien sind noch da</translation>
-  </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Nichts geschrieben: kein Bild ist annotiert, oder keines ließ sich schreiben.</translation>
-  </message>
-  <message>
-   <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Abgebrochen; schon geschriebene Dateien sind noch da.</translation>
-  </message>
-  <message>
-   <source>Not written</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Nicht geschrieben</translation>
-  </message>
-  <message>
-   <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Was das Format nicht fassen kann</translation>
-  </message>
-  <message>
-   <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>die Anpassung von {frame} ist als {path} gespeichert</translation>
-  </message>
-  <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>keine Kamera zu speichern: die Anpassung ist noch nicht da</translation>
-  </message>
-  <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>die laufende Anpassung ist aus (Strg+T)</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>blind: die Anpassung ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>keine Kamera zu speichern: {why}</translation>
-  </message>
-  <message>
-   <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>die Anpassung wird neu berechnet: speichern Sie sie gleich</translation>
-  </message>
-  <message>
-   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame}: das Bild ist unlesbar, so dass die Pixel der Kamera zu keiner Größe gehören; nicht gespeichert</translation>
-  </message>
-  <message>
-   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>als {path} gespeichert, aber die geladenen Kameras ließen sich nicht neu lesen: {problem}</translation>
-  </message>
-  <message>
-   <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{saved}; kaum bestimmt: {why}</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Importieren…</translation>
-  </message>
-  <message>
-   <source>Take these annotations in; their files stay as they are</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Diese Annotationen übernehmen; ihre Dateien bleiben, wie sie sind</translation>
-  </message>
-  <message>
-   <source>Leave them, and say nothing more of them</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Sie lassen und nichts mehr davon sagen</translation>
-  </message>
-  <message>
-   <source>Annotations of another program lie in this dataset: {format}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>In diesem Datensatz liegen Annotationen eines anderen Programms: {format}.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{edited} von {n:,} Bild importiert ({format}).</numerusform>
-    <numerusform>{edited} von {n:,} Bildern importiert ({format}).</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>Abgebrochen: {n:,} Bild wurde nicht angesehen.</numerusform>
-    <numerusform>Abgebrochen: {n:,} Bilder wurden nicht angesehen.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild ist schon annotiert und blieb unverändert.</numerusform>
-    <numerusform>{n:,} Bilder sind schon annotiert und blieben unverändert.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild enthält bereits dasselbe.</numerusform>
-    <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Importieren</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{edited} von {n:,} Bild importiert</numerusform>
-    <numerusform>{edited} von {n:,} Bildern importiert</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Abgebrochen; nichts wurde importiert.</translation>
-  </message>
-  <message>
-   <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Gelassen, wie sie waren</translation>
-  </message>
-  <message>
-   <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Nicht lesbar</translation>
-  </message>
-  <message>
-   <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Ohne Bild hier ({n})</translation>
-  </message>
-  <message>
-   <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Geändert oder ausgelassen</translation>
-  </message>
-  <message>
-   <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>es ließ sich nicht speichern: {why}</translation>
-  </message>
-  <message>
-   <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>? (bleibt, wie es ist, eine unbekannte Klasse)</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>Auslassen</translation>
-  </message>
-  <message>
-   <source>Label</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Label</translation>
-  </message>
-  <message>
-   <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Formen</translation>
-  </message>
-  <message>
-   <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Steht für</translation>
-  </message>
-  <message>
-   <source>Why</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Warum</translation>
-  </message>
-  <message>
-   <source>sure</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>sicher</translation>
-  </message>
-  <message>
-   <source>likely</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>wahrscheinlich</translation>
-  </message>
-  <message>
-   <source>to be said</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>zu sagen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
-    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Diese Namen gleichen eher denen von {field}: wählen Sie zuerst dieses Feld (Datei &gt; Feld).</translation>
-  </message>
-  <message>
-   <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Namen eines anderen Programms</translation>
-  </message>
-  <message>
-   <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Diese Namen beim Datensatz behalten ({file})</translation>
-  </message>
-  <message>
-   <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Wofür {label} steht</translation>
-  </message>
-  <message>
-   <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Diese Namen in {file} des Datensatzes aufnehmen, neu geschrieben</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Bilder</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Videos</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>das Beispiel kommt mit dem Quelltext, nicht hier</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Ihre eigene Kopie, in {folder}; laden Sie ihre Kameras aus dem Menü Kamera</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Kameras</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Einen Ordner mit Bildern öffnen</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Ein Bild öffnen</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Video öffnen</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Den Ordner eines zweiten Annotators öffnen</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, ohne Legende</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, zu groß: wählen Sie einen kleineren Maßstab oder SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>PNG: Pixel, ohne Verlust</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>JPEG: Pixel, klein</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>SVG: Linien und Text bleiben scharf</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Bild (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Bild mit Überlagerung speichern</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Px des Ergebnisses je Px des Bildes; Linien und Text wachsen mit</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Farben, Striche und Zeichen unter dem Bild erklären</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Art</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Maßstab</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Ergebnis</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Legende</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>das Bild mit Überlagerung {path} wird geschrieben …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>öffnen Sie zuerst ein Bild</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{path}: ist das Bild selbst, wählen Sie einen anderen Namen</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Bild mit Überlagerung nach {path} geschrieben</translation>
-  </message>
-  <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>Übersicht exportieren</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild nach {path} exportiert</numerusform>
-    <numerusform>{n:,} Bilder nach {path} exportiert</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>der Satz wurde noch bewertet: einige Bilder haben noch keinen JaC</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>hier zuvor geöffnete Kameras sind nicht mehr da: {paths}</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>hier zuvor geöffnete Kameras werden nicht wieder geöffnet: {why}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Ein Bild alle</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Das erste Bild jeder Szene</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Sucht im ganzen Video nach Schnitten; das dauert eine Weile</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>Feld</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>{file} wird gelesen</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>In {file} werden Schnitte gesucht</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>dieses Bild ist schon eine Bilddatei</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>als {path} behalten</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Es wird nichts herausgeschrieben; „Dieses Videobild behalten“ schreibt ein Bild.</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Das Aufheben zeigt allen, die ihn annotieren, Kameras, Geister und die Anpassung. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Das Aufheben zeigt Ihnen Kameras, Geister und die Anpassung; für andere war er nicht festgelegt. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Blindmodus aufheben</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Aufheben und vermerken</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Festgelegt lassen</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Fehler</translation>
-  </message>
-  <message>
-   <source>warning</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Warnung</translation>
-  </message>
-  <message>
-   <source>hint</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Hinweis</translation>
-  </message>
-  <message>
-   <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Befund {place} von {total}, {severity}: {elements}</translation>
-  </message>
-  <message>
-   <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>kein Befund ist so sicher, wie der Bereich Befunde eingestellt ist</translation>
-  </message>
-  <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element umbenannt</numerusform>
-    <numerusform>{n} Elemente umbenannt</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild geprüft, Kameramodell {model}: {found}</numerusform>
-    <numerusform>{n:,} Bilder geprüft, Kameramodell {model}: {found}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} geprüftes Bild</numerusform>
-    <numerusform>{n:,} geprüfte Bilder</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} und {other}</translation>
-  </message>
-  <message>
-   <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Klassenprüfung sieht sich dieses Bild noch an</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Klassenprüfung hat nichts gefunden; prüfen Sie den ganzen Satz, um alle Bilder anzusehen</translation>
-  </message>
-  <message>
-   <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{done}; Strg+Z nimmt es zurück</translation>
-  </message>
-  <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Punkt {n} von {element} entfernt</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} und {other} getauscht</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} in {other} umbenannt</translation>
-  </message>
-  <message>
-   <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>übergangen, bis sich {elements} ändert; der Bereich Befunde holt es zurück</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild lässt sich nicht prüfen</numerusform>
-    <numerusform>{n:,} Bilder lassen sich nicht prüfen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Befunde exportieren</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Befund in {frames} nach {path} exportiert</numerusform>
-    <numerusform>{n:,} Befunde in {frames} nach {path} exportiert</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Klassenprüfung hat nichts gefunden</translation>
-  </message>
-  <message>
-   <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Punkt von {element} entfernt</translation>
-  </message>
-  <message>
-   <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>gehen Sie zuerst zu einem Befund (F10)</translation>
-  </message>
-  <message>
-   <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Prüfung des Satzes ist angehalten; was gefunden ist, bleibt</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Klassenprüfung hat in diesem Bild nichts gefunden</translation>
-  </message>
-  <message>
-   <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>nichts gefunden</translation>
-  </message>
-  <message>
-   <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>keine Abhilfe bekannt: {reason}</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>kein anderes Bild ist abgelehnt</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>{frame} ist {status}</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>jedes Bild nach diesem ist fertig oder freigegeben</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>jedes Bild vor diesem ist fertig oder freigegeben</translation>
-  </message>
-  <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>der Blindmodus lässt {n} zu nicht abgegebenen Bildern aus</translation>
-  </message>
-  <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{frame}: kein Urteil über {source} mehr</translation>
-  </message>
-  <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Notiz zum Urteil</translation>
-  </message>
-  <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Was ist hier falsch:</translation>
-  </message>
-  <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Urteile exportieren</translation>
-  </message>
-  <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>blind: kein abgegebenes Bild hat ein Urteil</translation>
-  </message>
-  <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>noch hat kein Bild ein Urteil: geben Sie zuerst eines ab</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Urteil nach {path} exportiert</numerusform>
-    <numerusform>{n:,} Urteile nach {path} exportiert</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ein Urteil gilt einem Bild und einer Kamera: laden Sie zuerst Kameras</translation>
-  </message>
-  <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>blind: die Kamera ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
-  </message>
-  <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>urteilen Sie zuerst über das Bild: Fehler der Kamera, Fehler der Annotation oder in Ordnung</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>nicht alles ließ sich speichern: die Zahlen gelten dem zuletzt gespeicherten Stand</translation>
-  </message>
-  <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} folgt den Klicks: ein Urteil gilt einer geladenen Kamera</translation>
-  </message>
-  <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>eine frühere Fassung zurückholen</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>die frühere Fassung ist wieder da; was nicht lesbar war, bleibt als Fassung erhalten</translation>
-  </message>
-  <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
-  </message>
-  <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Es gibt keine frühere Fassung dieses Bildes.</translation>
-  </message>
-  <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Verglichen mit jetzt: {changes}. Verschieden: {elements}.</translation>
-  </message>
-  <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>unlesbar</translation>
-  </message>
-  <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>leer</translation>
-  </message>
-  <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>wie jetzt</translation>
-  </message>
-  <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>andere Elemente</translation>
-  </message>
-  <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Punkte verschoben</translation>
-  </message>
-  <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Das enthält das Bild jetzt.</translation>
-  </message>
-  <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Verglichen mit jetzt: dieselben Punkte in anderer Reihenfolge der Elemente.</translation>
-  </message>
-  <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Frühere Fassungen</translation>
-  </message>
-  <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Zurückholen</translation>
-  </message>
-  <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>%d.%m.%Y, %H:%M:%S</translation>
-  </message>
-  <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>{n} weitere</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} von {total}, schlechteste zuerst: JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} von {total}, schlechteste zuerst: größter Fehler {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} von {total}, schlechteste zuerst: mediane Abweichung {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>noch kein JaC: laden Sie zuerst Kameras</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>kein bewertetes Bild, zu dem zu gehen wäre</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} wird über den Satz mit {other} verglichen</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>zwei Quellen sind nötig, um zu sehen, wo sie abweichen: laden Sie mehr Kameras (Strg+L)</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} und {other} lassen sich in keinem Bild am Boden vergleichen</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>Vergleich der Quellen angehalten</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>das ist das schlechteste; noch einmal geht weiter</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>kein anderes Bild ist bewertet</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>wieder vom schlechtesten an</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>kein bewertetes Bild, zu dem zu gehen wäre: der Blindmodus zeigt nur abgegebene Bilder</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>zwei Quellen werden schon verglichen</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} und {other} sind verglichen</translation>
-  </message>
-  <message>
-   <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>es ist inzwischen annotiert</translation>
-  </message>
-  <message>
-   <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>es wurde seither bearbeitet</translation>
-  </message>
-  <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>kein Bild anzunehmen: folgen Sie zuerst der Einstellung (T); zweifelhafte und annotierte Bilder bleiben aus</translation>
-  </message>
-  <message>
-   <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Blindmodus: angenommen wird nichts, was nicht geklickt ist</translation>
-  </message>
-  <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Farbe entlang der Spur wird gesucht: {done} von {total} Bildern</translation>
-  </message>
-  <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild entlang der Spur angenommen</numerusform>
-    <numerusform>{n:,} Bilder entlang der Spur angenommen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Strg+Z nimmt sie zurück</translation>
-  </message>
-  <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommenes Bild</numerusform>
-    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommene Bilder</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild gelassen: {why}</numerusform>
-    <numerusform>{n:,} Bilder gelassen: {why}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Farbe entlang der Spur wird gesucht</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>kein Bild angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Spur annehmen</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Spur zurücknehmen</translation>
-  </message>
-  <message>
-   <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>nichts Angenommenes, das zurückzunehmen wäre</translation>
-  </message>
-  <message>
-   <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>zurückgenommen: kein Bild ist angenommen</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
-    <numerusform>{n:,} Bilder verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>Verfolgung: {done} von {total} Bildern  ·  T hält an</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild verfolgt, sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
-    <numerusform>{n:,} Bilder verfolgt, alle sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>die Enden der Einstellung werden gesucht …  T hält an</translation>
-  </message>
-  <message>
-   <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>der Einstellung ließ sich nicht folgen: {why}</translation>
-  </message>
-  <message>
-   <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>nur einem Video oder aufeinanderfolgenden Bildern lässt sich folgen</translation>
-  </message>
-  <message>
-   <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>Blindmodus: keiner Einstellung wird gefolgt, ihre Kameras wären zu sehen</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>kein Bild der Einstellung hat eine sichere Kamera: annotieren Sie eines, dann folgen Sie ihr</translation>
-  </message>
-  <message>
-   <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>angehalten; das bisher Verfolgte bleibt</translation>
-  </message>
-  <message>
-   <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>angehalten; nichts wurde verfolgt</translation>
-  </message>
-  <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>kein Bild nach diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>kein Bild nach diesem ist zweifelhaft</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>kein Bild vor diesem ist zweifelhaft</translation>
-  </message>
-  <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>Blindmodus: wie gut die Spur ist, bleibt verborgen</translation>
-  </message>
-  <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>noch wurde keiner Einstellung gefolgt (T)</translation>
-  </message>
-  <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>diese Bilder folgen nicht aufeinander</translation>
-  </message>
-  <message>
-   <source>Jaccard index of this frame at tau</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Jaccard-Index dieses Bildes bei tau</translation>
-  </message>
-  <message>
-   <source>The camera set that is judged (C switches)</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Der Kamerasatz, der beurteilt wird (C wechselt)</translation>
-  </message>
-  <message>
-   <source>What the score is computed with: {terms}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Womit die Bewertung berechnet ist: {terms}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; der Anpassung</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
-  </message>
-  <message>
-   <source>Three steps to a frame</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>In drei Schritten zum Bild</translation>
-  </message>
-  <message>
-   <source>Click the two ends of a painted line, then Enter</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Die zwei Enden einer gemalten Linie klicken, dann Eingabe</translation>
-  </message>
-  <message>
-   <source>{keys}: points along every line, on its paint</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}: Punkte entlang jeder Linie, auf ihrer Farbe</translation>
-  </message>
-  <message>
-   <source>{keys}, then Enter: take what the camera expects</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}, dann Eingabe: nehmen, was die Kamera erwartet</translation>
-  </message>
-  <message>
-   <source>Put the three steps away for ever (Help has the user guide)</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Die drei Schritte für immer weglegen (das Handbuch ist unter Hilfe)</translation>
-  </message>
-  <message>
-   <source>Put the three steps away</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Die drei Schritte weglegen</translation>
-  </message>
-  <message>
-   <source>{step}, done</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{step}, getan</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title}, unbestätigt</translation>
   </message>
   <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
@@ -6767,9 +6349,29 @@ Verliert {loses}.</translation>
    <translation>Eingabe führt aus · ↑ ↓ wählt · Esc schließt</translation>
   </message>
   <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Bereich</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Einstellung</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Öffnen</translation>
+  </message>
+  <message>
    <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Nichts heißt „{text}“.</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Bild {number} von {count}</translation>
   </message>
   <message>
    <source>An action, element, frame, camera source, folder, number</source>
@@ -6785,6 +6387,51 @@ Verliert {loses}.</translation>
    <source>What fits</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Was passt</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Zu diesem Bild gehen</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Beurteilen: {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Mit dieser Quelle beurteilen</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Laufende Anpassung: Modell {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Dieses Modell an die Klicks anpassen; auto nimmt das einfachste, das sie hergeben</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Bereich {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Diesen Bereich öffnen und nach vorn holen</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Schwelle {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Elemente mit diesem tau beurteilen</translation>
   </message>
   <message>
    <source>on</source>
@@ -6829,139 +6476,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>laden Sie einen zweiten Kamerasatz zum Vergleichen (Strg+L)</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Geist von {title}</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Annehmen</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Genau ansehen</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
-   <translation>Hier nicht sichtbar</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title} wird gezeichnet</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Hier teilen: der Rest wird</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Hier nicht sichtbar: zurücknehmen</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Klasse ändern in (tauscht mit einer annotierten)</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Punkt {number} von {title}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Vereinen mit</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title}, unbestätigt</translation>
-  </message>
-  <message>
-   <source>Annotate</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Annotieren</translation>
-  </message>
-  <message>
-   <source>Judge</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Beurteilen</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Prüfen</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Arbeitsplätze</translation>
-  </message>
-  <message>
-   <source>Scores</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Bewertung</translation>
-  </message>
-  <message>
-   <source>Fit</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Anpassung</translation>
-  </message>
-  <message>
-   <source>Check</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Befunde</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
-   <translation>Diagramme</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Durchsicht</translation>
-  </message>
-  <message>
-   <source>Agreement</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Übereinstimmung</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>Diagramme unter dem Bild öffnen</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>Diagramme schließen</translation>
-  </message>
-  <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>unerwarteter Fehler ({what}); es wird weiter gespeichert, Einzelheiten stehen in {path}</translation>
-  </message>
-  <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>die Einzelheiten sind kopiert; sie stehen auch in {path}</translation>
-  </message>
-  <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>es gab keinen unerwarteten Fehler; protokolliert werden sie in {path}</translation>
-  </message>
-  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>Wörter auf dieser Seite suchen</translation>
@@ -6982,133 +6496,128 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Überschriften</translation>
   </message>
   <message>
-   <source>{one} or {other}</source>
-   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
-   <translation>{one} oder {other}</translation>
-  </message>
-  <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Im Bild</translation>
-  </message>
-  <message>
-   <source>Keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
-   <translation>Tasten</translation>
-  </message>
-  <message>
-   <source>Search: a word, or a key. A click does what a row says.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Suche: ein Wort oder eine Taste. Ein Klick tut, was die Zeile sagt.</translation>
-  </message>
-  <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Tasten durchsuchen</translation>
-  </message>
-  <message>
-   <source>Actions and their keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Aktionen und ihre Tasten</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Keine Taste, keine Aktion und kein Element hat „{text}“.</translation>
-  </message>
-  <message>
-   <source>Choose an element</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Element wählen</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Eigene Tasten</translation>
   </message>
   <message>
    <source>Keys (*.json)</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Tasten (*.json)</translation>
   </message>
   <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Im Bild</translation>
+  </message>
+  <message>
    <source>{menu}: {action}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}: {action}</translation>
   </message>
   <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Suche: ein Wort oder eine Taste. Ein Klick tut, was die Zeile sagt.</translation>
+  </message>
+  <message>
    <source>Search: a word, or a key</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Suche: ein Wort oder eine Taste</translation>
   </message>
   <message>
    <source>Choose a row, then press its keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Eine Zeile wählen, dann ihre Tasten drücken</translation>
   </message>
   <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>{one} oder {other}</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, the action keys]</extracomment>
+   <translation>Tasten</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Tasten durchsuchen</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Keine Taste, keine Aktion und kein Element hat „{text}“.</translation>
+  </message>
+  <message>
    <source>Change keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Tasten ändern</translation>
   </message>
   <message>
    <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Suche</translation>
   </message>
   <message>
    <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Alle Tasten auf einmal</translation>
   </message>
   <message>
    <source>Only these</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Nur diese</translation>
   </message>
   <message>
    <source>No keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Keine Tasten</translation>
   </message>
   <message>
    <source>Usual keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Übliche Tasten</translation>
   </message>
   <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Importieren…</translation>
+  </message>
+  <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ Tasten, die zwei Aktionen rufen, rufen keine: geben Sie einer davon andere Tasten.</translation>
   </message>
   <message>
    <source>Export keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Tasten exportieren</translation>
   </message>
   <message>
    <source>Import keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Tasten importieren</translation>
   </message>
   <message>
    <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ auch: {what}</translation>
   </message>
   <message>
    <source>New keys: press them here</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Neue Tasten: hier drücken</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>{file}: {error}; die Tasten bleiben, wie sie sind</translation>
   </message>
   <message>
    <source>Action or element</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Aktion oder Element</translation>
   </message>
   <message>
@@ -7117,104 +6626,24 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>{action}: {step}</translation>
   </message>
   <message>
-   <source>Panel</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Bereich</translation>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>unerwarteter Fehler ({what}); es wird weiter gespeichert, Einzelheiten stehen in {path}</translation>
   </message>
   <message>
-   <source>Setting</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Einstellung</translation>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>die Einzelheiten sind kopiert; sie stehen auch in {path}</translation>
   </message>
   <message>
-   <source>Open</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Öffnen</translation>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>es gab keinen unerwarteten Fehler; protokolliert werden sie in {path}</translation>
   </message>
   <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Bild {number} von {count}</translation>
-  </message>
-  <message>
-   <source>Go to this frame</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Zu diesem Bild gehen</translation>
-  </message>
-  <message>
-   <source>Judge {source}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Beurteilen: {source}</translation>
-  </message>
-  <message>
-   <source>Judge with this source</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Mit dieser Quelle beurteilen</translation>
-  </message>
-  <message>
-   <source>Live fit: model {model}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Laufende Anpassung: Modell {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Dieses Modell an die Klicks anpassen; auto nimmt das einfachste, das sie hergeben</translation>
-  </message>
-  <message>
-   <source>Panel {title}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Bereich {title}</translation>
-  </message>
-  <message>
-   <source>Open this panel and bring it to the front</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Diesen Bereich öffnen und nach vorn holen</translation>
-  </message>
-  <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Schwelle {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Elemente mit diesem tau beurteilen</translation>
-  </message>
-  <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Werkzeugleiste</translation>
-  </message>
-  <message>
-   <source>Picture
-Brightness, contrast, gamma, line enhance: only what you see changes</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Bild
-Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich</translation>
-  </message>
-  <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>gespeichert {time}</translation>
-  </message>
-  <message numerus="yes">
-   <source>NOT SAVED: {n} frames</source>
-   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>
-    <numerusform>NICHT GESPEICHERT: {n} Bild</numerusform>
-    <numerusform>NICHT GESPEICHERT: {n} Bilder</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>saving...</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>speichert...</translation>
-  </message>
-  <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>keine Änderungen</translation>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
   </message>
   <message>
    <source>Search the settings</source>
@@ -7282,43 +6711,73 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>scoring {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>bewertet {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Camera &gt; Stop scoring the set ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Kamera &gt; Bewertung des Satzes anhalten beendet es</translation>
   </message>
   <message>
    <source>comparing {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>vergleicht {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>ghosts {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Geister {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Esc ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Esc beendet es</translation>
   </message>
   <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Werkzeugleiste</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Bild
+Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Jaccard-Index dieses Bildes bei tau</translation>
+  </message>
+  <message>
    <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Schwelle tau: ein Element besteht, wenn alle seine Punkte näher liegen (+ und -)</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
-   <translation>Schwelle tau</translation>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>gespeichert {time}</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
-   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Der Kamerasatz, der beurteilt wird (C wechselt)</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Womit die Bewertung berechnet ist: {terms}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>
+    <numerusform>NICHT GESPEICHERT: {n} Bild</numerusform>
+    <numerusform>NICHT GESPEICHERT: {n} Bilder</numerusform>
+   </translation>
   </message>
   <message>
    <source>Top bar</source>
@@ -7339,6 +6798,36 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Klicken, um ein anderes zu wählen</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Schwelle tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; der Anpassung</translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>speichert...</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>keine Änderungen</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -7386,9 +6875,67 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Noch nichts geöffnet</translation>
   </message>
   <message>
-   <source>unexpected error ({what})</source>
-   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>unerwarteter Fehler ({what})</translation>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Bewertung</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Anpassung</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Befunde</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py, the action plots]</extracomment>
+   <translation>Diagramme</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Durchsicht</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Übereinstimmung</translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Annotieren</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Beurteilen</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Diagramme unter dem Bild öffnen</translation>
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Diagramme schließen</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Arbeitsplätze</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -8695,16 +8242,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Alle gespeicherten Fassungen dieses Bildes ansehen und eine zurückholen</translation>
   </message>
   <message>
-   <source>Overview of the set…</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>Übersicht des Satzes…</translation>
-  </message>
-  <message>
-   <source>Counts per status and class, progress, time per frame</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>Anzahlen je Status und Klasse, Fortschritt, Zeit je Bild</translation>
-  </message>
-  <message>
    <source>Group views…</source>
    <extracomment>[the action group_views]</extracomment>
    <translation>Ansichten gruppieren…</translation>
@@ -9148,6 +8685,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>Farben sagen, wie die Kamera beurteilt wird</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
+   <translation>Klasse</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>

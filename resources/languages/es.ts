@@ -772,7 +772,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
    <translation>retirado</translation>
   </message>
   <message>
@@ -827,7 +827,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>Imagen</translation>
   </message>
   <message>
@@ -837,12 +837,12 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
    <translation>Ver</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/command_palette.py, the menus]</extracomment>
    <translation>Cámara</translation>
   </message>
   <message>
@@ -851,9 +851,2505 @@
    <translation>Ayuda</translation>
   </message>
   <message>
-   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
-   <extracomment>[procc_annotator/gui/decimal_box.py]</extracomment>
-   <translation>{number:g} no: de {least:g} a {most:g}{unit}</translation>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/canvas/annotation_preview.py]</extracomment>
+   <translation>La imagen no se puede mostrar</translation>
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>aquí no se conoce ninguna cámara que arrastrar</translation>
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>retirado: la cámara está como antes de arrastrarla</translation>
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>modo ciego: no se muestra ninguna cámara</translation>
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>las superposiciones están ocultas (Ctrl+H)</translation>
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>una homografía no se puede girar: elija otro modelo (panel Ajuste)</translation>
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>al soltar queda aquí</translation>
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Esc lo devuelve</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>{n} estaca sujeta la cámara</numerusform>
+    <numerusform>{n} estacas sujetan la cámara</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>CÁMARA</translation>
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>estaca quitada: queda {n} estaca</numerusform>
+    <numerusform>estaca quitada: quedan {n} estacas</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>estaca quitada: la cámara está como se halló</translation>
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>estaca</translation>
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>pulse sobre una línea del armazón</translation>
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>arrastrar mueve esta estaca</translation>
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>un clic la quita</translation>
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>arrastre un punto del armazón a donde debe estar</translation>
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>arrastre {title} a donde debe estar: la cámara sigue</translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Ctrl+Z lo retira</translation>
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>DESPLAZAR</translation>
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>arrastrar mueve la imagen</translation>
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>clic e Intro no hacen nada</translation>
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>Esc vuelve a la herramienta</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Imagen</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>cargue un segundo conjunto de cámaras para alternar entre dos (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>retícula: las flechas la mueven (Mayús 0.1 px, Ctrl 10 px, Ctrl+Mayús 100 px), Espacio hace clic, Esc la guarda</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>señale primero una línea: con el ratón o con las flechas</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>aquí no hay ninguna línea en que poner un punto</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>cámara ilegible</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>aquí no hay cámara</translation>
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Brillo</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Contraste</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Realce de líneas</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Resaltar líneas gastadas y en sombra</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Restablecer</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Mostrar la imagen tal como es</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Solo cambia lo que usted ve, nunca el archivo</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Desplazar todos los valores</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Estirar los valores en torno al gris medio</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Hacia la derecha, las partes oscuras se aclaran</translation>
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>siguiente: {title}</translation>
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
+   <translation>{title}  ±{sd:.1f} px  inseguro</translation>
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{title} no tiene puntos en esta imagen: elija el elemento que borrar</translation>
+  </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>se conserva 1 clic de {title} en {frame}, sin confirmar: elija allí el elemento para continuar</translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} terminado con {n} punto en {frame}</numerusform>
+    <numerusform>{title} terminado con {n} puntos en {frame}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>elija primero el elemento que borrar: mapa del campo, lista o su tecla</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{n} punto de {title} descartado</numerusform>
+    <numerusform>{n} puntos de {title} descartados</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} terminado con {n} punto</numerusform>
+    <numerusform>{title} terminado con {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{titles}: cambiado en otra parte, mire de nuevo primero</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Cómo de buena es la cámara ajustada</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>metros en el suelo, 1 σ</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Cómo de buena es la cámara ajustada ({model})</translation>
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m, lo que se pide a la tecnología de fuera de juego</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>metros en el suelo, 1 σ, mediana {median:.2f}</translation>
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>metros en el suelo</translation>
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m: {percent:.0f} % del campo a la vista</translation>
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Ciego: no se muestra ninguna cámara antes de Ctrl+Intro</translation>
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Modo ciego, esta imagen está entregada</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>
+    <numerusform>{n} estaca</numerusform>
+    <numerusform>{n} estacas</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara arrastrada, {pegs}, afinada con la pintura: {share:.0%} de sus líneas</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara arrastrada, {pegs}, sin afinar: {why}</translation>
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Arrastre para mover el divisor (también con las flechas)</translation>
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Divisor de la vista dividida</translation>
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara hallada, insegura: {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara arrastrada, {pegs}</translation>
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara del seguimiento: Mayús+Intro acepta sus elementos</translation>
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Buscando la cámara en la imagen …</translation>
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Ninguna cámara hallada: {why}</translation>
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara hallada, segura: {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara arrastrada, {pegs}: se buscan sus líneas …</translation>
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara del seguimiento, insegura: {why}</translation>
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>nada cambió: ya era regular, o no se halló allí ninguna línea pintada</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} copiado de {frame}, según el seguimiento; Mayús+V confirma todos</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} copiado de {frame}, movido con la cámara; Mayús+V confirma todos</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} copiado de {frame}, tal como estaba: no se halló movimiento; Mayús+V confirma todos</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>retirado: no se regulariza nada</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>retirado: no se copia nada</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>se dejó la imagen: no se regularizó nada</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>se dejó la imagen: no se copió nada</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{n} punto sin confirmar por la pintura</numerusform>
+    <numerusform>{n} puntos sin confirmar por la pintura</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>regularizar {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>copiar de {frame}</translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>elija primero un elemento anotado</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento</numerusform>
+    <numerusform>{n} elementos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} regularizado: {n} punto</numerusform>
+    <numerusform>{what} regularizado: {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{element} tiene esquinas o es un solo lugar: queda como está</translation>
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>aquí no hay anotado ningún elemento del campo</translation>
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>ninguna imagen antes de esta está anotada</translation>
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} no tiene ningún elemento que falte aquí</translation>
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} pasa a {other}</translation>
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>intercambiar {element} y {other}</translation>
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>duplicar {element} como {other}</translation>
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>unir {element} con {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>cerrar huecos</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmar {n} elemento</numerusform>
+    <numerusform>confirmar {n} elementos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>descartar {n} elemento sin confirmar</numerusform>
+    <numerusform>descartar {n} elementos sin confirmar</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Nombre de la línea</translation>
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>¿Qué línea es esta?</translation>
+  </message>
+  <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} es una curva, que dos puntos no muestran: siga haciendo clic</translation>
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} es su propia clase simétrica</translation>
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{elements} ya está anotado</numerusform>
+    <numerusform>{elements} ya están anotados</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} está donde {other}: arrástrelo a su sitio</translation>
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>invertir {element}</translation>
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>elija primero el punto por el que dividir (modo editar)</translation>
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>dividir {element}</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento confirmado</numerusform>
+    <numerusform>{n} elementos confirmados</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>no hay nada sin confirmar en esta imagen</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} ya está anotado</translation>
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>ningún extremo está tan cerca de una esquina o del borde de la imagen</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento sin confirmar descartado</numerusform>
+    <numerusform>{n} elementos sin confirmar descartados</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Dejarla sin nombre</translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>un elemento se divide por un punto entre sus extremos, en una clase libre</translation>
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} se cambió en otra parte: mírelo de nuevo</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} punto</numerusform>
+    <numerusform>{n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{accepted}: {points}, línea vista en un {share:.0%}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} extremo de {elements} no se ve: los puntos acaban antes</numerusform>
+    <numerusform>{n} extremos de {elements} no se ven: los puntos acaban antes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>la cámara es otra entretanto</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>aceptar {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} fantasma</numerusform>
+    <numerusform>{n} fantasmas</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{n} de {total} fantasmas</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} aceptado</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} extremo no se ve: los puntos acaban antes</numerusform>
+    <numerusform>{n} extremos no se ven: los puntos acaban antes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>la imagen se editó entretanto</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>buscar la línea en {frame} llevó demasiado tiempo</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} no está aceptado: {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Aceptar todos los fantasmas</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>Cuánto de la línea de un fantasma debe verse para aceptarlo con todos los demás (%):</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element}: no se halla ninguna línea pintada en él; márquelo a mano, o diga que no es visible aquí (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>se está ajustando la cámara: acepte sus fantasmas en un momento</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma, se ve menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} aceptado en {frame}</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma: no hay imagen en que buscar sus líneas</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma: {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} no está aceptado</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>el fantasma está aceptado: acepte los fantasmas del nuevo ajuste</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>lo que se dibujaba está terminado: acepte los fantasmas del nuevo ajuste</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} estará aceptado cuando se hallen sus puntos</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>vaya primero a un fantasma (Tab) o elija un elemento</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>ese era el primer fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
+    <numerusform>ese era el primer fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos, o siga el plano (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>ese era el último fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
+    <numerusform>ese era el último fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>abra primero una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>se está ajustando la cámara: los fantasmas llegan en un momento</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: se busca la cámara en la imagen</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: lo demás que está a la vista está anotado, o no se conoce lo bastante bien</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: anote tres o cuatro elementos y de ellos sale una cámara</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos</translation>
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas en modo ciego hasta entregar la imagen (Ctrl+Intro)</translation>
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: el ajuste continuo está desactivado (Ctrl+T)</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: están desactivados (Elemento &gt; Fantasmas &gt; Mostrar fantasmas)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>las superposiciones están ocultas: no se ve ningún fantasma (Ctrl+H, o suelte X)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>termine primero lo que se dibuja (Intro), o cancélelo (Esc)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: no se pudo ajustar ninguna cámara</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>aún no se ajusta ninguna cámara</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>se está dibujando a mano</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} está anotado aquí: bórrelo primero (Ctrl+Supr)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} no es visible aquí; Ctrl+. lo retira</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} quizá vuelva a ser visible aquí</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>de ningún elemento de esta imagen se dijo que no fuera visible</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ese era el último fantasma</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>vaya primero a un fantasma (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{off}; elija primero un elemento</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Conservar el campo y no decir más de estas clases</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>El conjunto lo recuerda y no se vuelve a preguntar</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>No, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>El campo de este conjunto</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Descripciones de campos (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>¿Es esto {field}? Las clases anotadas aquí son las de {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{why}, pero decide {file} en la carpeta del conjunto</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Sí, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Cambiar a {field}</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{problem}; el campo quedó como estaba: {field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Las puntuaciones difieren entonces de las del campo nominal ({nominal}), que es el de las evaluaciones oficiales; dicen con qué dimensiones se calcularon.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Dimensiones propias (stadiums.csv): {frames} de {stadiums}. Lo que se introduce aquí vale para todas las demás, y para lo que los estadios dejan abierto.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Las puntuaciones difieren entonces de las evaluaciones oficiales, que toman las líneas donde las miden las reglas; lo dicen.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Las reglas miden muchas líneas en un borde de su pintura. Los clics se ponen en el medio, a media anchura de pintura: elíjalo donde eso importa, como en pabellones y cerca de la cámara.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Solo la longitud y la anchura se hallan con las imágenes, y las reglas fijan las de este campo</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imagen.</numerusform>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imágenes.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>donde miden las reglas</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>el medio de la pintura</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>Con la cámara de {n} imagen; ± es una desviación típica.</numerusform>
+    <numerusform>Con las cámaras de {n} imágenes; ± es una desviación típica.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>{remark}; quedó como estaba.</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Dimensiones del campo: {field}</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Estimar con este conjunto</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Conservar para este conjunto</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Nominal</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>El campo que toman las evaluaciones oficiales</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>nominal {nominal:g} m, las reglas permiten de {minimum:g} a {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;no {number:g} m: las reglas permiten de {minimum:g} a {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} imagen</numerusform>
+    <numerusform>{n} imágenes</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} estadio</numerusform>
+    <numerusform>{n} estadios</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Ciego: las imágenes no entregadas no participaron ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Las imágenes que no se pueden leer no participaron: {n}.</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Los clics están en:</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Detener</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>las reglas fijan todas las dimensiones del campo {field}</translation>
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Ciego: el conjunto se mira cuando una de sus imágenes está entregada (Ctrl+Intro).</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Las imágenes de un instante desde distintas cámaras son un grupo. Sus nombres lo dicen según un patrón: &lt;b&gt;{instant}&lt;/b&gt; representa cuándo se tomó una imagen, &lt;b&gt;{view}&lt;/b&gt; la cámara, y todo lo demás a sí mismo. También sirve una expresión regular con &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; y &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt;.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>No se halló ningún patrón que encaje con estos nombres: escriba uno.</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Lo que dice ahora se pierde, con todo lo demás que hay escrito en él.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Instante</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen</numerusform>
+    <numerusform>{n:,} imágenes</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} grupo de {least} a {most}</numerusform>
+    <numerusform>{frames} en {n:,} grupos de {least} a {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} de {n:,} instante</numerusform>
+    <numerusform>{frames} de {n:,} instantes</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen, sin agrupar.</numerusform>
+    <numerusform>{n:,} imágenes, ninguna agrupada.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} grupo</numerusform>
+    <numerusform>{frames} en {n:,} grupos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Grupos de imágenes</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} ya existe: {sizes}.</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} agrupa {sizes} desde ahora</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} instante con una sola imagen</numerusform>
+    <numerusform>{n:,} instantes con una sola imagen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} nombre no encaja (al final de la tabla)</numerusform>
+    <numerusform>{n:,} nombres no encajan (al final de la tabla)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Este nombre no encaja en el patrón: la imagen queda sola</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Agrupar vistas</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Patrón de los nombres de las imágenes</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Escribir {file}</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Conservar estos grupos en la carpeta del conjunto</translation>
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>? (queda como está, una clase desconocida)</translation>
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>Dejar fuera</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Etiqueta</translation>
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Formas</translation>
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Significa</translation>
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Por qué</translation>
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>seguro</translation>
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>probable</translation>
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>por decir</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>
+    <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
+    <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Estos nombres se parecen más a los de {field}: elija primero ese campo (Archivo &gt; Campo).</translation>
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Nombres de otro programa</translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Conservar estos nombres con el conjunto ({file})</translation>
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importar</translation>
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Qué significa {label}</translation>
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Qué resultó</translation>
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importar anotaciones</translation>
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Anotaciones que importar</translation>
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Mirar en los archivos</translation>
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Solo imágenes en que aún no hay nada anotado</translation>
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Reemplazar también lo anotado en las demás</translation>
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Lo que había queda entre las versiones anteriores de la imagen, y deshacer lo devuelve</translation>
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Anotaciones</translation>
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Formato</translation>
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importar en</translation>
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Las imágenes se emparejan por el nombre de su archivo.</translation>
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Anotaciones (*.json *.xml *.zip);;Todos los archivos (*)</translation>
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Exportar como</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Exportar…</translation>
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Un archivo zip en lugar de una carpeta</translation>
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Reemplazar los archivos existentes</translation>
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Conservar elementos para los que SoccerNet no tiene clase</translation>
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Anchura de las líneas</translation>
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Copiar también las imágenes</translation>
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Exportar a una carpeta</translation>
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Conserva {holds}.
+Pierde {loses}.</translation>
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Añadir estos nombres a {file} del conjunto, escrito de nuevo</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <translation>Cancelar</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Cerrar</translation>
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Una carpeta, un archivo zip o un solo archivo</translation>
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Archivo…</translation>
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Carpeta…</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Archivo zip (*.zip)</translation>
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frames}, {elements} y {points} escritos en {path} ({format}).</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} anotación</numerusform>
+    <numerusform>{n:,} anotaciones</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>JaC de {n:,} imagen</numerusform>
+    <numerusform>JaC de {n:,} imágenes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>No se pudo guardar todo: vale lo que hay en disco.</translation>
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>el ajuste de {frame} está guardado como {path}</translation>
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>no hay cámara que guardar: el ajuste aún no está</translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{source} se hace con los clics con que se puntuaría: juzgue las cámaras que puntuar (procc-annotator calibrate ajusta y puntúa un conjunto)</translation>
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{annotations} y {scores}</translation>
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>nada: ninguna imagen está anotada</translation>
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>exportar: cancelado; los archivos ya escritos siguen ahí</translation>
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>No se escribió nada: ninguna imagen está anotada, o ninguna se pudo escribir.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} elemento</numerusform>
+    <numerusform>{n:,} elementos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} punto</numerusform>
+    <numerusform>{n:,} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>el ajuste continuo está desactivado (Ctrl+T)</translation>
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>ciego: el ajuste está oculto hasta entregar esta imagen (Ctrl+Intro)</translation>
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>no hay cámara que guardar: {why}</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Archivo zip (*.zip);;Carpeta (*)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Tabla (*.csv);;JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Exportar el resumen</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen exportada a {path}</numerusform>
+    <numerusform>{n:,} imágenes exportadas a {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>el conjunto aún se estaba puntuando: algunas imágenes no tienen JaC todavía</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>cargue cámaras primero: no hay nada que puntuar</translation>
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>ciego: aún no hay ninguna imagen entregada, así que no hay JaC que mostrar</translation>
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{what} exportado a {path}</translation>
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Cancelado; los archivos ya escritos siguen ahí.</translation>
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>No escrito</translation>
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Lo que el formato no puede guardar</translation>
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>el ajuste se está recalculando: guárdelo en un momento</translation>
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame}: la imagen no se puede leer, así que los píxeles de la cámara no corresponden a ningún tamaño; no guardado</translation>
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>guardado como {path}, pero las cámaras cargadas no se pudieron leer otra vez: {problem}</translation>
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{saved}; está apenas determinado: {why}</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>no se pudo guardar todo: la exportación tiene el último estado guardado</translation>
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>el modo ciego deja fuera {n:,} imagen aún no entregada</numerusform>
+    <numerusform>el modo ciego deja fuera {n:,} imágenes aún no entregadas</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} archivo no se pudo leer: {problem}</numerusform>
+    <numerusform>{n:,} archivos no se pudieron leer: {problem}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Tabla (*.csv)</translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Exportar</translation>
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>exportando {done} / {total}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} de {n:,} imagen importada ({format}).</numerusform>
+    <numerusform>{edited} de {n:,} imágenes importadas ({format}).</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>Cancelado: {n:,} imagen no se miró.</numerusform>
+    <numerusform>Cancelado: {n:,} imágenes no se miraron.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen ya está anotada y quedó sin cambios.</numerusform>
+    <numerusform>{n:,} imágenes ya están anotadas y quedaron sin cambios.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen ya contiene lo mismo.</numerusform>
+    <numerusform>{n:,} imágenes ya contienen lo mismo.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>importar</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} de {n:,} imagen importada</numerusform>
+    <numerusform>{edited} de {n:,} imágenes importadas</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Cancelado; no se importó nada.</translation>
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Dejadas como estaban</translation>
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>No se pudieron leer</translation>
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Sin imagen aquí ({n})</translation>
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Cambiadas o dejadas fuera</translation>
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>no se pudo guardar: {why}</translation>
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Vídeos</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>las cámaras abiertas aquí antes ya no están: {paths}</translation>
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>el ejemplo viene con el código fuente, no aquí</translation>
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>su propia copia, en {folder}; cargue sus cámaras desde el menú Cámara</translation>
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Cargar una carpeta de cámaras</translation>
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Cargar cámaras</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Cámaras</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>las cámaras abiertas aquí antes no se abren de nuevo: {why}</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Abrir una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Abrir una imagen</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Abrir un vídeo</translation>
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Abrir la carpeta de un segundo anotador</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, sin la leyenda</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, demasiado grande: elija una escala menor o SVG</translation>
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>PNG: píxeles, sin pérdida</translation>
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>JPEG: píxeles, pequeño</translation>
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>SVG: líneas y texto siempre nítidos</translation>
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Imagen (*{suffix})</translation>
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Guardar imagen superpuesta</translation>
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Px del resultado por px de la imagen; líneas y texto crecen con ella</translation>
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Explicar bajo la imagen los colores, trazos y marcas</translation>
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Tipo</translation>
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Escala</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Resultado</translation>
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Leyenda</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>escribiendo la imagen superpuesta {path} …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>abra primero una imagen</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{path}: es la propia imagen, elija otro nombre</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>imagen superpuesta escrita en {path}</translation>
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Una imagen cada</translation>
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>La primera imagen de cada escena</translation>
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Busca cortes en todo el vídeo; tarda un rato</translation>
+  </message>
+  <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>Campo</translation>
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Leyendo {file}</translation>
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Buscando cortes en {file}</translation>
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>esta imagen ya es un archivo de imagen</translation>
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>conservada como {path}</translation>
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>No se extrae nada; «Conservar esta imagen del vídeo» escribe un archivo.</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} de {total}, las peores primero: JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} de {total}, las peores primero: mayor error {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} de {total}, las peores primero: desacuerdo mediano {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>aún no hay JaC: cargue cámaras primero</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>ninguna otra imagen está rechazada</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{frame} está {status}</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>no hay ninguna imagen puntuada a la que ir</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>comparando {source} con {other} en el conjunto</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>todas las imágenes después de esta están terminadas o aprobadas</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>todas las imágenes antes de esta están terminadas o aprobadas</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>hacen falta dos fuentes para ver dónde discrepan: cargue más cámaras (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} y {other} no se pueden comparar sobre el suelo en ninguna imagen</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>comparación de las fuentes detenida</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>esta es la peor; otra vez sigue adelante</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>ninguna otra imagen está puntuada</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>desde la peor otra vez</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>no hay imagen puntuada a la que ir: el modo ciego solo muestra las entregadas</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>ya se están comparando dos fuentes</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} y {other} están comparadas</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>error</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>aviso</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>indicio</translation>
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>hallazgo {place} de {total}, {severity}: {elements}</translation>
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>ningún hallazgo es tan seguro como pide el panel Comprobación</translation>
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento con otra clase</numerusform>
+    <numerusform>{n} elementos con otra clase</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen revisada, modelo de cámara {model}: {found}</numerusform>
+    <numerusform>{n:,} imágenes revisadas, modelo de cámara {model}: {found}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen revisada</numerusform>
+    <numerusform>{n:,} imágenes revisadas</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} y {other}</translation>
+  </message>
+  <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la revisión de clases aún examina esta imagen</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la revisión de clases no ha hallado nada; revise todo el conjunto para mirar todas las imágenes</translation>
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{done}; Ctrl+Z lo retira</translation>
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>punto {n} de {element} quitado</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} y {other} intercambiados</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} pasado a {other}</translation>
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>ignorado hasta que cambie {elements}; el panel Comprobación lo devuelve</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen no se puede revisar</numerusform>
+    <numerusform>{n:,} imágenes no se pueden revisar</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Exportar hallazgos</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} hallazgo en {frames} exportado a {path}</numerusform>
+    <numerusform>{n:,} hallazgos en {frames} exportados a {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la revisión de clases no ha hallado nada</translation>
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>los elementos han cambiado desde entonces: revisados de nuevo</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>punto de {element} quitado</translation>
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>vaya primero a un hallazgo (F10)</translation>
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>revisión del conjunto detenida; lo hallado queda</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la revisión de clases no ha hallado nada en esta imagen</translation>
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>nada hallado</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>no se conoce remedio: {reason}</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Levantarlo muestra cámaras, fantasmas y el ajuste a todos los que lo anotan. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Levantarlo le muestra a usted cámaras, fantasmas y el ajuste; para otros no estaba fijado. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>el modo ciego deja fuera {n} de imágenes no entregadas</translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Levantar el modo ciego</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Levantarlo y registrarlo</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Mantenerlo fijado</translation>
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{frame}: ya sin veredicto sobre {source}</translation>
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Nota al veredicto</translation>
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Qué está mal aquí:</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Exportar veredictos</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ciego: ninguna imagen entregada tiene veredicto</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ninguna imagen tiene veredicto aún: dé uno primero</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} veredicto exportado a {path}</numerusform>
+    <numerusform>{n:,} veredictos exportados a {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>un veredicto es sobre una imagen y una cámara: cargue cámaras primero</translation>
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ciego: la cámara está oculta hasta entregar esta imagen (Ctrl+Intro)</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>dé primero un veredicto: fallo de la cámara, fallo de la anotación o correcto</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>no se pudo guardar todo: las cifras son del último estado guardado</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} sigue los clics: un veredicto es sobre una cámara que se cargó</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>No hay versión anterior de esta imagen.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Comparado con ahora: {changes}. Lo que difiere: {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>no se puede leer</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>vacía</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>como ahora</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>otros elementos</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>puntos movidos</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Esto es lo que la imagen contiene ahora.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Comparado con ahora: los mismos puntos en otro orden de elementos.</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>recuperar una versión anterior</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Versiones anteriores</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Recuperar</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>%d/%m/%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>{n} más</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>la versión anterior ha vuelto; deshacer la quita otra vez</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>la versión anterior vuelve a estar ahí; lo que no se podía leer se conserva como versión</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>la imagen se cambió en otra parte: mírela y recupere de nuevo</translation>
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>ya está anotada entretanto</translation>
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>se editó desde entonces</translation>
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>ninguna imagen que aceptar: siga primero el plano (T); las dudosas y las anotadas se dejan fuera</translation>
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>modo ciego: no se acepta nada que no se haya marcado</translation>
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>buscando pintura a lo largo del seguimiento: {done} de {total} imágenes</translation>
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen aceptada según el seguimiento</numerusform>
+    <numerusform>{n:,} imágenes aceptadas según el seguimiento</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Ctrl+Z las retira</translation>
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>retirado: {n:,} imagen aceptada según el seguimiento</numerusform>
+    <numerusform>retirado: {n:,} imágenes aceptadas según el seguimiento</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen dejada: {why}</numerusform>
+    <numerusform>{n:,} imágenes dejadas: {why}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>buscando pintura a lo largo del seguimiento</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>no se aceptó ninguna imagen: {why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>aceptar el seguimiento</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>retirar el seguimiento</translation>
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>no se aceptó nada que pudiera retirarse</translation>
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>retirado: ninguna imagen está aceptada</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen seguida, {doubtful:,} dudosas (Alt+Av Pág); Ctrl+Mayús+Intro acepta las seguras</numerusform>
+    <numerusform>{n:,} imágenes seguidas, {doubtful:,} dudosas (Alt+Av Pág); Ctrl+Mayús+Intro acepta las seguras</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>siguiendo: {done} de {total} imágenes  ·  T lo detiene</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen seguida, segura; Ctrl+Mayús+Intro acepta las seguras</numerusform>
+    <numerusform>{n:,} imágenes seguidas, todas seguras; Ctrl+Mayús+Intro acepta las seguras</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>buscando los extremos del plano …  T lo detiene</translation>
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>no se pudo seguir el plano: {why}</translation>
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>solo se puede seguir un vídeo, o imágenes que van seguidas</translation>
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>modo ciego: no se sigue ningún plano, se verían sus cámaras</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>ninguna imagen del plano tiene una cámara segura: anote una y sígalo después</translation>
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>detenido; lo seguido hasta ahora queda</translation>
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>detenido; no se siguió nada</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>ninguna imagen después de esta está anotada</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>ninguna imagen después de esta es dudosa</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>ninguna imagen antes de esta es dudosa</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>modo ciego: cómo va el seguimiento está oculto</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>aún no se siguió ningún plano (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>estas imágenes no van seguidas</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -884,281 +3380,6 @@
    <translation>ninguna</translation>
   </message>
   <message>
-   <source>Wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Rueda</translation>
-  </message>
-  <message>
-   <source>zoom at the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>zoom en el cursor</translation>
-  </message>
-  <message>
-   <source>Two fingers</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Dos dedos</translation>
-  </message>
-  <message>
-   <source>pan; pinched, zoom</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>desplazar; al pellizcar, zoom</translation>
-  </message>
-  <message>
-   <source>Shift + wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mayús + rueda</translation>
-  </message>
-  <message>
-   <source>pan sideways, as a tilted wheel does</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>desplazar a los lados, como una rueda inclinada</translation>
-  </message>
-  <message>
-   <source>Space + drag</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Espacio + arrastrar</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>desplazar</translation>
-  </message>
-  <message>
-   <source>Middle button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Botón central</translation>
-  </message>
-  <message>
-   <source>Hold X</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mantener X</translation>
-  </message>
-  <message>
-   <source>hide all overlays</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ocultar todas las superposiciones</translation>
-  </message>
-  <message>
-   <source>Hold Z</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mantener Z</translation>
-  </message>
-  <message>
-   <source>loupe: eight times the picture's pixels</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>lupa: ocho veces los píxeles de la imagen</translation>
-  </message>
-  <message>
-   <source>Hold ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mantener ,</translation>
-  </message>
-  <message>
-   <source>look at the compared camera source</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>mirar la fuente de cámaras comparada</translation>
-  </message>
-  <message>
-   <source>Tap ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Pulsar ,</translation>
-  </message>
-  <message>
-   <source>judge with the compared source, compare with this one</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>juzgar con la fuente comparada, comparar con esta</translation>
-  </message>
-  <message>
-   <source>Hold Ctrl</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mantener Ctrl</translation>
-  </message>
-  <message>
-   <source>click beside the line: no snapping</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>marcar junto a la línea: sin ajuste</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + arrastrar una línea</translation>
-  </message>
-  <message>
-   <source>camera: it follows, the place stays as a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>cámara: sigue, y el lugar queda como estaca</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + click a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + clic en una estaca</translation>
-  </message>
-  <message>
-   <source>camera: take the peg away</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>cámara: quitar la estaca</translation>
-  </message>
-  <message>
-   <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flechas</translation>
-  </message>
-  <message>
-   <source>crosshair: the keys point; chosen points are moved instead</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>retícula: las teclas señalan; si hay puntos elegidos, se mueven ellos</translation>
-  </message>
-  <message>
-   <source>Space at the crosshair</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Espacio en la retícula</translation>
-  </message>
-  <message>
-   <source>what a click does there (with Ctrl: no snapping)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>lo que hace allí un clic (con Ctrl: sin ajuste)</translation>
-  </message>
-  <message>
-   <source>Right button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Botón derecho</translation>
-  </message>
-  <message>
-   <source>menu of what is under the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>menú de lo que hay bajo el cursor</translation>
-  </message>
-  <message>
-   <source>Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Intro</translation>
-  </message>
-  <message>
-   <source>accept the current ghost</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>aceptar el fantasma actual</translation>
-  </message>
-  <message>
-   <source>Shift+Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mayús+Intro</translation>
-  </message>
-  <message>
-   <source>accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>aceptar todos los fantasmas</translation>
-  </message>
-  <message>
-   <source>Click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Clic</translation>
-  </message>
-  <message>
-   <source>draw: add a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>dibujar: añadir un punto</translation>
-  </message>
-  <message>
-   <source>Double-click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Doble clic</translation>
-  </message>
-  <message>
-   <source>draw: finish</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>dibujar: terminar</translation>
-  </message>
-  <message>
-   <source>Drag a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Arrastrar un punto</translation>
-  </message>
-  <message>
-   <source>edit: move it</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>editar: moverlo</translation>
-  </message>
-  <message>
-   <source>Shift+click a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mayús+clic en un punto</translation>
-  </message>
-  <message>
-   <source>edit: choose several</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>editar: elegir varios</translation>
-  </message>
-  <message>
-   <source>Drag on empty ground</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Arrastrar sobre un lugar vacío</translation>
-  </message>
-  <message>
-   <source>edit: choose the points inside</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>editar: elegir los puntos de dentro</translation>
-  </message>
-  <message>
-   <source>Drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Arrastrar una línea</translation>
-  </message>
-  <message>
-   <source>edit: move the element, unless elements are pinned</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>editar: mover el elemento, salvo que estén fijados</translation>
-  </message>
-  <message>
-   <source>Alt+click a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+clic en una línea</translation>
-  </message>
-  <message>
-   <source>edit: insert a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>editar: insertar un punto</translation>
-  </message>
-  <message>
-   <source>Alt+Shift+click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+Mayús+clic</translation>
-  </message>
-  <message>
-   <source>edit: remove the point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>editar: quitar el punto</translation>
-  </message>
-  <message>
-   <source>Click or drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Clic o arrastrar en la tira</translation>
-  </message>
-  <message>
-   <source>go to a frame</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ir a una imagen</translation>
-  </message>
-  <message>
-   <source>Wheel on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Rueda sobre la tira</translation>
-  </message>
-  <message>
-   <source>zoom; with Shift, scroll</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>zoom; con Mayús, desplazar</translation>
-  </message>
-  <message>
-   <source>Shift+drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Mayús+arrastrar en la tira</translation>
-  </message>
-  <message>
-   <source>mark a stretch (a double click lets go of it)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>marcar un tramo (un doble clic lo suelta)</translation>
-  </message>
-  <message>
    <source>what is held down in the picture</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>lo que se mantiene pulsado en la imagen</translation>
@@ -1182,6 +3403,281 @@
    <source>Like labelme</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>Como labelme</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Rueda</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>zoom en el cursor</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Dos dedos</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>desplazar; al pellizcar, zoom</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mayús + rueda</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>desplazar a los lados, como una rueda inclinada</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Espacio + arrastrar</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>desplazar</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Botón central</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mantener X</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ocultar todas las superposiciones</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mantener Z</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>lupa: ocho veces los píxeles de la imagen</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mantener ,</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>mirar la fuente de cámaras comparada</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Pulsar ,</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>juzgar con la fuente comparada, comparar con esta</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mantener Ctrl</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>marcar junto a la línea: sin ajuste</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + arrastrar una línea</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>cámara: sigue, y el lugar queda como estaca</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + clic en una estaca</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>cámara: quitar la estaca</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flechas</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>retícula: las teclas señalan; si hay puntos elegidos, se mueven ellos</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Espacio en la retícula</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>lo que hace allí un clic (con Ctrl: sin ajuste)</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Botón derecho</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>menú de lo que hay bajo el cursor</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Intro</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>aceptar el fantasma actual</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mayús+Intro</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>aceptar todos los fantasmas</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Clic</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>dibujar: añadir un punto</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Doble clic</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>dibujar: terminar</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Arrastrar un punto</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>editar: moverlo</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mayús+clic en un punto</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>editar: elegir varios</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Arrastrar sobre un lugar vacío</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>editar: elegir los puntos de dentro</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Arrastrar una línea</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>editar: mover el elemento, salvo que estén fijados</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+clic en una línea</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>editar: insertar un punto</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+Mayús+clic</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>editar: quitar el punto</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Clic o arrastrar en la tira</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ir a una imagen</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Rueda sobre la tira</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>zoom; con Mayús, desplazar</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Mayús+arrastrar en la tira</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>marcar un tramo (un doble clic lo suelta)</translation>
   </message>
   <message>
    <source>expected an object with "actions" and "elements"</source>
@@ -1230,7 +3726,7 @@
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{text}.</translation>
   </message>
   <message>
@@ -1372,12 +3868,12 @@
   </message>
   <message>
    <source>Median</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Mediana</translation>
   </message>
   <message>
    <source>Points</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Puntos</translation>
   </message>
   <message>
@@ -1387,7 +3883,7 @@
   </message>
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Oculto: el modo ciego muestra la puntuación una vez entregada esta imagen.</translation>
   </message>
   <message>
@@ -1445,232 +3941,299 @@
    </translation>
   </message>
   <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Fuente con la que comparar</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Se contrapone a la fuente activa: coma, vista dividida, desacuerdo</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Comparar con</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>{share:.0f} % dentro de {far:g} m, en {covered:.0f} % de la imagen</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>mín.</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>mediana</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>máx.</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Entre los dos puntos del suelo que significa un píxel</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>De un píxel a donde la cámara comparada muestra su punto del suelo</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>en el suelo, m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>en la imagen, px</translation>
-  </message>
-  <message>
    <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
    <translation>soccernet (oficial)</translation>
   </message>
   <message>
    <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>procc (artículo)</translation>
   </message>
   <message>
    <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>contar como fallados</translation>
   </message>
   <message>
    <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>se dejan fuera</translation>
   </message>
   <message>
    <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Cámaras ({endings});;Todos los archivos (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Fuente con la que comparar</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Se contrapone a la fuente activa: coma, vista dividida, desacuerdo</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Comparar con</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>{share:.0f} % dentro de {far:g} m, en {covered:.0f} % de la imagen</translation>
   </message>
   <message>
    <source>No cameras loaded.
 Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>No hay cámaras cargadas.
 Cargue una carpeta de archivos de cámara de SoccerNet o de homografías para verlas juzgadas con sus clics.</translation>
   </message>
   <message>
    <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Cargar carpeta…</translation>
   </message>
   <message>
    <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Una carpeta con un archivo de cámara por imagen</translation>
   </message>
   <message>
    <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Cargar archivo…</translation>
   </message>
   <message>
    <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Un archivo zip de cámaras, o la cámara de una imagen</translation>
   </message>
   <message>
    <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Cómo se leen los próximos archivos que se carguen</translation>
   </message>
   <message>
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>soccernet: la evaluación oficial con sus rarezas
 procc: la definición del artículo, círculos cerrados y curvas finas</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Una homografía solo conoce el suelo: cómo cuentan para ella postes y travesaños</translation>
   </message>
   <message>
    <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Leer como</translation>
   </message>
   <message>
    <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
    <translation>Protocolo</translation>
   </message>
   <message>
    <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Fuera del suelo</translation>
   </message>
   <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Cargar una carpeta de cámaras</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Cargar cámaras</translation>
-  </message>
-  <message>
    <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Esta imagen: {notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>⚠ La cámara de esta imagen no se puede usar: {error}</translation>
   </message>
   <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>mín.</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>mediana</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>máx.</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Entre los dos puntos del suelo que significa un píxel</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>De un píxel a donde la cámara comparada muestra su punto del suelo</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>en el suelo, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>en la imagen, px</translation>
+  </message>
+  <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Ciego: la proyección está oculta hasta entregar esta imagen.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Imágenes de este conjunto que tienen cámara (completitud)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Imágenes visitadas en esta ventana cuyos clics dieron una cámara; su JaC es el de los clics con que se hizo el ajuste.
 procc-annotator calibrate ajusta y puntúa todo el conjunto</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Imágenes de este conjunto que se siguieron a lo largo de su plano y tienen cámara.
 procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen</numerusform>
-    <numerusform>{n:,} imágenes</numerusform>
-   </translation>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Amarillo</translation>
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Violeta</translation>
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Azul</translation>
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Menta</translation>
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Azul marino</translation>
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Cian</translation>
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Desactivar el ajuste continuo (Ctrl+T lo activa de nuevo)</translation>
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Quitar de la lista; los archivos quedan</translation>
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Olvidar lo seguido (T sigue el plano otra vez)</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>JaC medio a {tau:.1f} px en {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Ilegibles (filtro camera:unreadable): {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{matched} de {total}, {n} ilegible</numerusform>
     <numerusform>{matched} de {total}, {n} ilegibles</numerusform>
    </translation>
   </message>
   <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Nombre de la fuente</translation>
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Dibujar como armazón mientras se juzga otra fuente</translation>
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Juzgar {name}</translation>
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Quitar {name}</translation>
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Dibujar {name}</translation>
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Color de {name}</translation>
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Otro…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Color de la fuente</translation>
+  </message>
+  <message>
    <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>sin cámara</translation>
   </message>
   <message>
    <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>No juzgar nada, no dibujar ninguna cámara</translation>
   </message>
   <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{frames} hasta ahora</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{mean}; {n:,} cámara no se puede leer y no participa</numerusform>
     <numerusform>{mean}; {n:,} cámaras no se pueden leer y no participan</numerusform>
@@ -1678,17 +4241,17 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model} (suelo)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model} aquí, varios modelos</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen seguida</numerusform>
     <numerusform>{n:,} imágenes seguidas</numerusform>
@@ -1696,7 +4259,7 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen ajustada</numerusform>
     <numerusform>{n:,} imágenes ajustadas</numerusform>
@@ -1704,12 +4267,12 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{n} de {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{names} y {n:,} más</numerusform>
     <numerusform>{names} y {n:,} más</numerusform>
@@ -1717,27 +4280,32 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>no se puede usar aquí: {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>sin cámara para esta imagen</translation>
   </message>
   <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Doble clic o F2 le da otro nombre</translation>
+  </message>
+  <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>El modo ciego oculta cómo van las fuentes</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Ninguna imagen tiene a la vez elementos anotados y una cámara de esta fuente</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} cámara</numerusform>
     <numerusform>{n:,} cámaras</numerusform>
@@ -1745,102 +4313,83 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>varios modelos</translation>
   </message>
   <message>
-   <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Amarillo</translation>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py, procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>anotado</translation>
   </message>
   <message>
-   <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Violeta</translation>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>sin confirmar</translation>
   </message>
   <message>
-   <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Azul</translation>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>no visible</translation>
   </message>
   <message>
-   <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Menta</translation>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>siguiente</translation>
   </message>
   <message>
-   <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Azul marino</translation>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>No anotado en esta imagen</translation>
   </message>
   <message>
-   <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Cian</translation>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Anotado, pero no juzgado: no se muestra ninguna cámara, o no participa en la evaluación</translation>
   </message>
   <message>
-   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Desactivar el ajuste continuo (Ctrl+T lo activa de nuevo)</translation>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Copiado; no cuenta hasta que se toca o se confirma</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Quitar de la lista; los archivos quedan</translation>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Pasa: todos sus puntos están más cerca de la proyección que tau</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Olvidar lo seguido (T sigue el plano otra vez)</translation>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Demasiado lejos: al menos un punto está a tau o más (falso positivo)</translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Nombre de la fuente</translation>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>La cámara lo proyecta, no está anotado (falso positivo)</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Dibujar como armazón mientras se juzga otra fuente</translation>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Anotado, la cámara no lo proyecta (falso negativo)</translation>
   </message>
   <message>
-   <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Juzgar {name}</translation>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Alguien dijo que no se ve en esta imagen</translation>
   </message>
   <message>
-   <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Quitar {name}</translation>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Por anotar a continuación, como en el mapa del campo y en la imagen</translation>
   </message>
   <message>
-   <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Dibujar {name}</translation>
-  </message>
-  <message>
-   <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Color de {name}</translation>
-  </message>
-  <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Otro…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Color de la fuente</translation>
-  </message>
-  <message>
-   <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Doble clic o F2 le da otro nombre</translation>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>{title} (clase desconocida)</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>Sin geometría</translation>
   </message>
   <message>
@@ -1855,7 +4404,7 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Elementos</translation>
   </message>
   <message>
@@ -1890,138 +4439,57 @@ Esc borra la búsqueda.</translation>
   </message>
   <message>
    <source>Status</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Estado</translation>
   </message>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Anotarlo ahora es lo que más aporta: la proyección se conocerá entonces hasta {after:.1f} px en vez de {before:.1f} px</translation>
   </message>
   <message>
    <source>Field map</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Mapa del campo</translation>
   </message>
   <message>
    <source>The arrows choose elements</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Las flechas eligen elementos</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Siguiente: {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Haga clic en un elemento para elegir su clase</translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Hallazgos</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Qué hallazgos se listan</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>Revisar todo el conjunto</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>Buscar clases equivocadas en todas las imágenes anotadas</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Imágenes revisadas</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Detener</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Exportar…</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Escribir como CSV los hallazgos de todas las imágenes revisadas</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} más no se lista: active los signos de arriba.</numerusform>
-    <numerusform>{n:,} más no se listan: active los signos de arriba.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
-   <translation>No mostrarlo más hasta que cambien los puntos de sus elementos</translation>
-  </message>
-  <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Esta imagen</translation>
-  </message>
-  <message>
-   <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Todo el conjunto</translation>
-  </message>
-  <message>
-   <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>{findings}; clic para listarlos o no</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} ignorado aquí. &lt;a href="restore"&gt;Mostrar de nuevo&lt;/a&gt;</numerusform>
-    <numerusform>{n:,} ignorados aquí. &lt;a href="restore"&gt;Mostrar de nuevo&lt;/a&gt;</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>Ignorar este hallazgo</translation>
-  </message>
-  <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Error</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Aviso</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Indicio</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Nada hallado en esta imagen.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Nada hallado en {n:,} imagen.</numerusform>
     <numerusform>Nada hallado en {n:,} imágenes.</numerusform>
@@ -2030,23 +4498,23 @@ Esc borra la búsqueda.</translation>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>No hay imágenes.
 Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>No hay nada anotado en esta imagen.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Las reglas que no necesitan cámara no hallaron nada.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Nada hallado salvo {n:,} hallazgo ignorado.</numerusform>
     <numerusform>Nada hallado salvo {n:,} hallazgos ignorados.</numerusform>
@@ -2054,27 +4522,27 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Ciego: los hallazgos que necesitan cámara esperan hasta entregar esta imagen (Ctrl+Intro).</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>El ajuste continuo está desactivado: solo se miran las reglas que no necesitan cámara.</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Aún no se ajusta ninguna cámara ({why}): solo se miran las reglas que no la necesitan.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Ciego: solo las imágenes entregadas se revisan con una cámara.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen no se puede revisar, como {name}: {why}</numerusform>
     <numerusform>{n:,} imágenes no se pueden revisar, como {name}: {why}</numerusform>
@@ -2082,7 +4550,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>El conjunto aún no está revisado; {n:,} imagen mirada hasta ahora.</numerusform>
     <numerusform>El conjunto aún no está revisado; {n:,} imágenes miradas hasta ahora.</numerusform>
@@ -2090,17 +4558,17 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Revisando esta imagen…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Revisando el conjunto…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} error</numerusform>
     <numerusform>{n:,} errores</numerusform>
@@ -2108,7 +4576,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} aviso</numerusform>
     <numerusform>{n:,} avisos</numerusform>
@@ -2116,11 +4584,304 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} indicio</numerusform>
     <numerusform>{n:,} indicios</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Hallazgos</translation>
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Qué hallazgos se listan</translation>
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>Revisar todo el conjunto</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>Buscar clases equivocadas en todas las imágenes anotadas</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Imágenes revisadas</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Escribir como CSV los hallazgos de todas las imágenes revisadas</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} más no se lista: active los signos de arriba.</numerusform>
+    <numerusform>{n:,} más no se listan: active los signos de arriba.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <translation>No mostrarlo más hasta que cambien los puntos de sus elementos</translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Esta imagen</translation>
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Todo el conjunto</translation>
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>{findings}; clic para listarlos o no</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} ignorado aquí. &lt;a href="restore"&gt;Mostrar de nuevo&lt;/a&gt;</numerusform>
+    <numerusform>{n:,} ignorados aquí. &lt;a href="restore"&gt;Mostrar de nuevo&lt;/a&gt;</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <translation>Ignorar este hallazgo</translation>
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Media</translation>
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Mayor</translation>
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Los peores primero; un clic muestra el peor punto</translation>
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distancia media de sus puntos al elemento ajustado, px de la imagen</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Mayor distancia de sus puntos al elemento ajustado, px de la imagen</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>elegido automáticamente</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>H: homografía del suelo</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>P: estenopeica</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R: estenopeica, distorsión de lente</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R+: R, relación de aspecto, punto principal</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R2: R+, segundo coeficiente radial</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>F: ojo de pez</translation>
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{model}. Elegido: {why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{passing} de {n:,} elemento anotado dentro de {px:g} px</numerusform>
+    <numerusform>{passing} de {n:,} elementos anotados dentro de {px:g} px</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{counted}; {n} a la vista aún sin anotar</numerusform>
+    <numerusform>{counted}; {n} a la vista aún sin anotar</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ dejado fuera: {title}</translation>
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{title}: media {mean} px, mayor {largest} px</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Giro</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Inclinación</translation>
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Alabeo</translation>
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distancia focal</translation>
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>A lo largo (x)</translation>
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>A lo ancho (y)</translation>
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Altura (−z)</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Los elementos a la vista que no están anotados cuentan contra el JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Apenas determinado: {limits}</translation>
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Qué se ajusta. Automáticamente: el modelo más sencillo que permiten los clics</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Modelo</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distancia media de los puntos que contaron, px de la imagen</translation>
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Residuos por elemento</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Guardar como cámara de la imagen</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Abra una carpeta de imágenes para ver la cámara que dan sus clics.</translation>
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>El ajuste continuo está desactivado (Ctrl+T).</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Oculto: el modo ciego muestra el ajuste una vez entregada esta imagen.</translation>
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Aún no hay cámara: {why}.</translation>
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Ajustando los clics…</translation>
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Sin ajuste.</translation>
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC a {tau:.1f} px</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>&lt;b&gt;Apenas determinado&lt;/b&gt;: {what}</translation>
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>JaC: {terms}; residuos: px de la imagen, {width}x{height}</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Desviación típica, según la estima el ajuste</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Tomado por un error: no contó en el ajuste</translation>
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>residuo medio</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -2130,13 +4891,15 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
     <numerusform>{n} abiertos</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} elemento</numerusform>
-    <numerusform>{n:,} elementos</numerusform>
-   </translation>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>{shown:,} de {frames}</translation>
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>todas terminadas</translation>
   </message>
   <message>
    <source>⚠ unreadable</source>
@@ -2154,27 +4917,47 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>sin anotar</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} terminada</numerusform>
+    <numerusform>{n:,} terminadas</numerusform>
+   </translation>
+  </message>
   <message>
    <source>● not saved</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>● sin guardar</translation>
   </message>
   <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>{shown:,} de {frames}</translation>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Filtrar imágenes</translation>
   </message>
   <message>
-   <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
-   <translation>todas terminadas</translation>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>No hay imágenes.
+Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</translation>
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Nada coincide con «{query}».</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
    <translation>
-    <numerusform>{n:,} terminada</numerusform>
-    <numerusform>{n:,} terminadas</numerusform>
+    <numerusform>{frames} en {n:,} carpeta</numerusform>
+    <numerusform>{frames} en {n:,} carpetas</numerusform>
    </translation>
   </message>
   <message>
@@ -2196,500 +4979,6 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <source>unfolded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
    <translation>desplegada</translation>
-  </message>
-  <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Filtrar imágenes</translation>
-  </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Imágenes</translation>
-  </message>
-  <message>
-   <source>No frames.
-Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>No hay imágenes.
-Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</translation>
-  </message>
-  <message>
-   <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Nada coincide con «{query}».</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} carpeta</numerusform>
-    <numerusform>{frames} en {n:,} carpetas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>elegido automáticamente</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>H: homografía del suelo</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>P: estenopeica</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R: estenopeica, distorsión de lente</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R+: R, relación de aspecto, punto principal</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R2: R+, segundo coeficiente radial</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>F: ojo de pez</translation>
-  </message>
-  <message>
-   <source>{model}. Chosen: {why}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>{model}. Elegido: {why}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
-   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{passing} de {n:,} elemento anotado dentro de {px:g} px</numerusform>
-    <numerusform>{passing} de {n:,} elementos anotados dentro de {px:g} px</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{counted}; {n} in sight not annotated yet</source>
-   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{counted}; {n} a la vista aún sin anotar</numerusform>
-    <numerusform>{counted}; {n} a la vista aún sin anotar</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Los elementos a la vista que no están anotados cuentan contra el JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Apenas determinado: {limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Qué se ajusta. Automáticamente: el modelo más sencillo que permiten los clics</translation>
-  </message>
-  <message>
-   <source>Model</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Modelo</translation>
-  </message>
-  <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Distancia media de los puntos que contaron, px de la imagen</translation>
-  </message>
-  <message>
-   <source>Residuals by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Residuos por elemento</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Guardar como cámara de la imagen</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Abra una carpeta de imágenes para ver la cámara que dan sus clics.</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>El ajuste continuo está desactivado (Ctrl+T).</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Oculto: el modo ciego muestra el ajuste una vez entregada esta imagen.</translation>
-  </message>
-  <message>
-   <source>No camera yet: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Aún no hay cámara: {why}.</translation>
-  </message>
-  <message>
-   <source>Fitting the clicks…</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Ajustando los clics…</translation>
-  </message>
-  <message>
-   <source>No fit.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Sin ajuste.</translation>
-  </message>
-  <message>
-   <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC a {tau:.1f} px</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>&lt;b&gt;Apenas determinado&lt;/b&gt;: {what}</translation>
-  </message>
-  <message>
-   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>JaC: {terms}; residuos: px de la imagen, {width}x{height}</translation>
-  </message>
-  <message>
-   <source>Standard deviation, as the fit estimates it</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Desviación típica, según la estima el ajuste</translation>
-  </message>
-  <message>
-   <source>mean residual</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>residuo medio</translation>
-  </message>
-  <message>
-   <source>Mean</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Media</translation>
-  </message>
-  <message>
-   <source>Largest</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Mayor</translation>
-  </message>
-  <message>
-   <source>Worst first; a click shows the worst point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Los peores primero; un clic muestra el peor punto</translation>
-  </message>
-  <message>
-   <source>Mean distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Distancia media de sus puntos al elemento ajustado, px de la imagen</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Mayor distancia de sus puntos al elemento ajustado, px de la imagen</translation>
-  </message>
-  <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>✕ dejado fuera: {title}</translation>
-  </message>
-  <message>
-   <source>{title}: mean {mean} px, largest {largest} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>{title}: media {mean} px, mayor {largest} px</translation>
-  </message>
-  <message>
-   <source>Pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Giro</translation>
-  </message>
-  <message>
-   <source>Tilt</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Inclinación</translation>
-  </message>
-  <message>
-   <source>Roll</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Alabeo</translation>
-  </message>
-  <message>
-   <source>Focal length</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Distancia focal</translation>
-  </message>
-  <message>
-   <source>Along (x)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>A lo largo (x)</translation>
-  </message>
-  <message>
-   <source>Across (y)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>A lo ancho (y)</translation>
-  </message>
-  <message>
-   <source>Height (−z)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Altura (−z)</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Tomado por un error: no contó en el ajuste</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC según tau</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>Point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Punto</translation>
-  </message>
-  <message>
-   <source>Worst</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Peor</translation>
-  </message>
-  <message>
-   <source>Passes at</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Pasa a</translation>
-  </message>
-  <message>
-   <source>Click a row to see the point that decides</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Haga clic en una fila para ver el punto que decide</translation>
-  </message>
-  <message>
-   <source>How the element counts at tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Cómo cuenta el elemento con tau</translation>
-  </message>
-  <message>
-   <source>The point that decides, counted from 1</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>El punto que decide, contado desde 1</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the projection, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Mayor distancia de sus puntos a la proyección, px</translation>
-  </message>
-  <message>
-   <source>The smallest tau of the slider at which it passes, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>El menor tau del control con que pasa, px</translation>
-  </message>
-  <message>
-   <source>Scores by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Puntuación por elemento</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Cuenta como {class_name}</translation>
-  </message>
-  <message>
-   <source>Choose an element to read why it counts as it does.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Elija un elemento para leer por qué cuenta como cuenta.</translation>
-  </message>
-  <message>
-   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>la cámara es el ajuste a estos mismos clics: este JaC no puntúa ningún método</translation>
-  </message>
-  <message>
-   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Aquí cuentan las clases reflejadas: el campo girado 180° encaja al menos igual de bien.</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>ruido humano {median:.2f} px, 95 % dentro de {p95:.2f} px</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>ruido humano {median:.2f} px, 95 % dentro de {p95:.2f} px – más que tau</translation>
-  </message>
-  <message>
-   <source>Precision</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Precisión</translation>
-  </message>
-  <message>
-   <source>Recall</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Exhaustividad</translation>
-  </message>
-  <message>
-   <source>Mean error</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Error medio</translation>
-  </message>
-  <message>
-   <source>Mean reprojection error of all points, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Error medio de reproyección de todos los puntos, px</translation>
-  </message>
-  <message>
-   <source>Median reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Mediana del error de reproyección, px</translation>
-  </message>
-  <message>
-   <source>Max</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Máx.</translation>
-  </message>
-  <message>
-   <source>Largest reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Mayor error de reproyección, px</translation>
-  </message>
-  <message>
-   <source>{name} has no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>{name} no tiene cámara para esta imagen.</translation>
-  </message>
-  <message>
-   <source>points: {kinds}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>puntos: {kinds}</translation>
-  </message>
-  <message>
-   <source>Scores and their plot</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Puntuaciones y su gráfico</translation>
-  </message>
-  <message>
-   <source>Copy this explanation</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Copiar esta explicación</translation>
-  </message>
-  <message>
-   <source>Copy all explanations</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Copiar todas las explicaciones</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Abra una carpeta de imágenes para ver puntuaciones.</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>No hay cámara que juzgar.
-Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
-  </message>
-  <message>
-   <source>JaC –: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>JaC –: {why}.</translation>
-  </message>
-  <message>
-   <source>This frame's camera cannot be used:
-{error}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>La cámara de esta imagen no se puede usar:
-{error}</translation>
-  </message>
-  <message>
-   <source>No fit to judge: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>No hay ajuste que juzgar: {why}.</translation>
-  </message>
-  <message>
-   <source>Elements whose points all are closer than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Elementos cuyos puntos están todos más cerca que tau</translation>
-  </message>
-  <message>
-   <source>Elements too far, or projected and not annotated</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Elementos demasiado lejos, o proyectados y no anotados</translation>
-  </message>
-  <message>
-   <source>Annotated elements that the camera does not project</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Elementos anotados que la cámara no proyecta</translation>
-  </message>
-  <message>
-   <source>Camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Cámara</translation>
-  </message>
-  <message>
-   <source>Annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Anotación</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Correcto</translation>
-  </message>
-  <message>
-   <source>The active camera is wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>La cámara activa está mal en esta imagen</translation>
-  </message>
-  <message>
-   <source>The clicks are wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Los clics están mal en esta imagen</translation>
-  </message>
-  <message>
-   <source>Camera and clicks are right in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>La cámara y los clics están bien en esta imagen</translation>
-  </message>
-  <message>
-   <source>Fault</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Fallo</translation>
-  </message>
-  <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>De quién es el fallo de la puntuación de esta imagen; se conserva con el conjunto</translation>
-  </message>
-  <message>
-   <source>Verdict: {verdict}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Veredicto: {verdict}</translation>
-  </message>
-  <message>
-   <source>{verdict}; once more takes it back ({key})</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>{verdict}; otra vez lo retira ({key})</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -2753,7 +5042,7 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
   </message>
   <message>
    <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Referencias</translation>
   </message>
   <message>
@@ -2763,7 +5052,7 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
   </message>
   <message>
    <source>Add</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Añadir</translation>
   </message>
   <message>
@@ -2885,226 +5174,304 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>la referencia {title}</translation>
   </message>
   <message>
-   <source>Share</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Parte</translation>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC según tau</translation>
   </message>
   <message>
-   <source>Median time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Tiempo mediano</translation>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC por imágenes</translation>
   </message>
   <message>
-   <source>Total time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Tiempo total</translation>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Aún no hay puntuaciones. Se calculan en segundo plano, imagen por imagen.</translation>
   </message>
   <message>
-   <source>Where the frame is in its life</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>En qué punto de su vida está la imagen</translation>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>{name} (imagen {n})</translation>
   </message>
   <message>
-   <source>How many frames have this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Cuántas imágenes tienen este estado</translation>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Sin puntuación de esta imagen: no está anotada, o ninguna fuente mostrada tiene su cámara.</translation>
   </message>
   <message>
-   <source>Of all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>De todas las imágenes</translation>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau (px)</translation>
   </message>
   <message>
-   <source>Of the frames that somebody worked on</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>De las imágenes en que alguien trabajó</translation>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>imagen</translation>
   </message>
   <message>
-   <source>Of all frames with this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>De todas las imágenes con este estado</translation>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Cada curva es la media de las imágenes para las que esa fuente tiene cámara.</translation>
   </message>
   <message>
-   <source>Class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
-   <translation>Clase</translation>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Sombreado: bandas del 95 %, {drawn}.</translation>
   </message>
   <message>
-   <source>An element of the field, or another class that occurs</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Un elemento del campo, u otra clase que aparece</translation>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
   </message>
   <message>
-   <source>How many frames it is annotated in</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>En cuántas imágenes está anotado</translation>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Oculto: el modo ciego solo muestra imágenes entregadas, y ninguna está en este gráfico.</translation>
   </message>
   <message>
-   <source>Its points in all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Sus puntos en todas las imágenes</translation>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Oculto: el modo ciego muestra este gráfico una vez entregada esta imagen.</translation>
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Los planos se reconocen por los nombres, pues {error}.</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Errores, como histograma</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
    <translation>
-    <numerusform>{n:,} punto</numerusform>
-    <numerusform>{n:,} puntos</numerusform>
+    <numerusform>{n:,} punto sin distancia dejado fuera.</numerusform>
+    <numerusform>{n:,} puntos sin distancia dejados fuera.</numerusform>
    </translation>
   </message>
   <message>
-   <source>Overview of the set</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Resumen del conjunto</translation>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Residuos sobre la imagen</translation>
   </message>
   <message>
-   <source>Export CSV…</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Exportar CSV…</translation>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>error de reproyección (px)</translation>
   </message>
   <message>
-   <source>Write one row a frame to a table for a spreadsheet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Escribir una fila por imagen en una tabla para hojas de cálculo</translation>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>puntos</translation>
   </message>
   <message>
-   <source>Share of frames that are done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Parte de las imágenes que están terminadas o aprobadas</translation>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>La última barra reúne todos los errores mayores.</translation>
   </message>
   <message>
-   <source>Frames by status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Imágenes por estado</translation>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{px:g} px o más</translation>
   </message>
   <message>
-   <source>Frames and points by class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Imágenes y puntos por clase</translation>
-  </message>
-  <message numerus="yes">
-   <source>frames, {points}</source>
-   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>imagen, {points}</numerusform>
-    <numerusform>imágenes, {points}</numerusform>
-   </translation>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{name} {part:,} de {total:,}</translation>
   </message>
   <message>
-   <source>done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>terminadas o aprobadas</translation>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Ningún punto de {element} en esta imagen.</translation>
   </message>
   <message>
-   <source>a frame (median)</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>por imagen (mediana)</translation>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Ningún punto de {element} hasta ahora.</translation>
   </message>
   <message>
-   <source>median JaC of {n:,}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>JaC mediano de {n:,}</translation>
-  </message>
-  <message numerus="yes">
-   <source>of {n:,} comments open</source>
-   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>de {n:,} comentario abierto</numerusform>
-    <numerusform>de {n:,} comentarios abiertos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>In {n:,} frames</source>
-   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>En {n:,} imagen</numerusform>
-    <numerusform>En {n:,} imágenes</numerusform>
-   </translation>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Ningún punto anotado en esta imagen que proyecte una fuente mostrada.</translation>
   </message>
   <message>
-   <source>Nothing to sum up: no frames are open.
-Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Nada que resumir: no hay imágenes abiertas.
-Abra primero una carpeta de imágenes.</translation>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Hasta ahora ningún punto anotado que proyecte una fuente mostrada.</translation>
   </message>
   <message>
-   <source>Points by origin: {origins}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Puntos por origen: {origins}</translation>
-  </message>
-  <message numerus="yes">
-   <source>on {n:,} frames</source>
-   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>en {n:,} imagen</numerusform>
-    <numerusform>en {n:,} imágenes</numerusform>
-   </translation>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flechas dibujadas más largas</translation>
   </message>
   <message>
-   <source>no time taken yet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>aún sin tiempo medido</translation>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Cuántas veces más largas de lo que son se dibujan las flechas</translation>
   </message>
   <message>
-   <source>Time per frame in hours</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Tiempo por imagen en horas</translation>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>automático</translation>
   </message>
   <message>
-   <source>Time per frame in minutes</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Tiempo por imagen en minutos</translation>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flechas {factor} veces más largas de lo que son: del clic hacia la proyección.</translation>
   </message>
   <message>
-   <source>Time per frame in seconds</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Tiempo por imagen en segundos</translation>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flechas {factor} veces más largas de lo que son: el residuo mediano de cada parte de la imagen con 5 puntos o más.</translation>
   </message>
   <message>
-   <source>No frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>No hay imágenes</translation>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Aún pocos puntos: cinco en una parte de la imagen hacen una flecha.</translation>
   </message>
   <message>
-   <source>Elements per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Elementos por imagen</translation>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>Imagen (*.png);;Gráfico vectorial (*.svg)</translation>
   </message>
   <message>
-   <source>Time per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Tiempo por imagen</translation>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>los números del gráfico están en el portapapeles</translation>
   </message>
   <message>
-   <source>No time yet: it is taken while somebody works on a frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Aún sin tiempo: se mide mientras alguien trabaja en una imagen</translation>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>Guardar el gráfico</translation>
   </message>
   <message>
-   <source>{caption}; last bar: longer</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>{caption}; última barra: más largo</translation>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} escrito, hasta donde está puntuado</translation>
   </message>
   <message>
-   <source>{hours:,} h {minutes:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{hours:,} h {minutes:02d} min</translation>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} escrito</translation>
   </message>
   <message>
-   <source>{seconds:.1f} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{seconds:.1f} s</translation>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>el gráfico está en el portapapeles como imagen</translation>
   </message>
   <message>
-   <source>{seconds} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{seconds} s</translation>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>no hay nada trazado que llevarse</translation>
   </message>
   <message>
-   <source>{minutes} min {seconds:02d} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{minutes} min {seconds:02d} s</translation>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{frames}, hasta donde está puntuado</translation>
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <translation>Fuentes: {names}</translation>
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>({n:,} de {total:,})</translation>
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Todos los elementos</translation>
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Guardar</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copiar o guardar el gráfico y sus números</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copiar o guardar el gráfico</translation>
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Gráfico</translation>
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Trazar la imagen en pantalla, o todas las puntuadas hasta ahora</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Trazar solo los puntos de un elemento</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Abra una carpeta de imágenes para ver gráficos.</translation>
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>No hay cámara que juzgar.
+Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Este gráfico no se pudo calcular: {error}.</translation>
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>({n:,} entregadas)</translation>
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copiar imagen</translation>
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copiar números</translation>
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Guardar imagen…</translation>
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Guardar números…</translation>
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Calculando…</translation>
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>(oculto)</translation>
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>(sin puntuación)</translation>
   </message>
   <message>
    <source>Nobody has edited this frame here</source>
@@ -3140,6 +5507,11 @@ Abra primero una carpeta de imágenes.</translation>
    <source>Edited after the cameras were shown.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Editada después de mostrarse las cámaras.</translation>
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{seconds} s</translation>
   </message>
   <message>
    <source>Committed in blind mode by {author}</source>
@@ -3183,7 +5555,7 @@ Abra primero una carpeta de imágenes.</translation>
   </message>
   <message>
    <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
    <translation>Abra primero una carpeta de imágenes.</translation>
   </message>
   <message>
@@ -3211,914 +5583,302 @@ Abra primero una carpeta de imágenes.</translation>
   </message>
   <message>
    <source>somebody</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/editing/batch_edits.py, procc_annotator/gui/state/state.py]</extracomment>
    <translation>alguien</translation>
   </message>
   <message>
-   <source>annotated</source>
-   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>anotado</translation>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Elija un elemento para leer por qué cuenta como cuenta.</translation>
   </message>
   <message>
-   <source>unconfirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>sin confirmar</translation>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>la cámara es el ajuste a estos mismos clics: este JaC no puntúa ningún método</translation>
   </message>
   <message>
-   <source>not visible</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>no visible</translation>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Aquí cuentan las clases reflejadas: el campo girado 180° encaja al menos igual de bien.</translation>
   </message>
   <message>
-   <source>next</source>
-   <comment>element</comment>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>siguiente</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>ruido humano {median:.2f} px, 95 % dentro de {p95:.2f} px</translation>
   </message>
   <message>
-   <source>Not annotated in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>No anotado en esta imagen</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>ruido humano {median:.2f} px, 95 % dentro de {p95:.2f} px – más que tau</translation>
   </message>
   <message>
-   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Anotado, pero no juzgado: no se muestra ninguna cámara, o no participa en la evaluación</translation>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Punto</translation>
   </message>
   <message>
-   <source>Copied; it does not count until it is touched or confirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Copiado; no cuenta hasta que se toca o se confirma</translation>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Peor</translation>
   </message>
   <message>
-   <source>Passes: all its points are closer than tau to the projection</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Pasa: todos sus puntos están más cerca de la proyección que tau</translation>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Pasa a</translation>
   </message>
   <message>
-   <source>Too far: at least one point is tau or more away (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Demasiado lejos: al menos un punto está a tau o más (falso positivo)</translation>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Haga clic en una fila para ver el punto que decide</translation>
   </message>
   <message>
-   <source>The camera projects it, it is not annotated (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>La cámara lo proyecta, no está anotado (falso positivo)</translation>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Cómo cuenta el elemento con tau</translation>
   </message>
   <message>
-   <source>Annotated, the camera does not project it (false negative)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Anotado, la cámara no lo proyecta (falso negativo)</translation>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>El punto que decide, contado desde 1</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Alguien dijo que no se ve en esta imagen</translation>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Mayor distancia de sus puntos a la proyección, px</translation>
   </message>
   <message>
-   <source>To be annotated next, as on the field map and in the picture</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Por anotar a continuación, como en el mapa del campo y en la imagen</translation>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>El menor tau del control con que pasa, px</translation>
   </message>
   <message>
-   <source>{title} (unknown class)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>{title} (clase desconocida)</translation>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Cámara</translation>
   </message>
   <message>
-   <source>The picture cannot be shown</source>
-   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
-   <translation>La imagen no se puede mostrar</translation>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Anotación</translation>
   </message>
   <message>
-   <source>Blind: no camera is shown before Ctrl+Enter</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Ciego: no se muestra ninguna cámara antes de Ctrl+Intro</translation>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Correcto</translation>
   </message>
   <message>
-   <source>Blind mode, this frame is committed</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Modo ciego, esta imagen está entregada</translation>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>La cámara activa está mal en esta imagen</translation>
   </message>
   <message>
-   <source>no camera is known here that could be dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>aquí no se conoce ninguna cámara que arrastrar</translation>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Los clics están mal en esta imagen</translation>
   </message>
   <message>
-   <source>taken back: the camera is as before it was dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>retirado: la cámara está como antes de arrastrarla</translation>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>La cámara y los clics están bien en esta imagen</translation>
   </message>
   <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>modo ciego: no se muestra ninguna cámara</translation>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Puntuación por elemento</translation>
   </message>
   <message>
-   <source>overlays are hidden (Ctrl+H)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>las superposiciones están ocultas (Ctrl+H)</translation>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Precisión</translation>
   </message>
   <message>
-   <source>a homography cannot be turned: choose another model (panel Fit)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>una homografía no se puede girar: elija otro modelo (panel Ajuste)</translation>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Exhaustividad</translation>
   </message>
   <message>
-   <source>release leaves it here</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>al soltar queda aquí</translation>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Error medio</translation>
   </message>
   <message>
-   <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc lo devuelve</translation>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Error medio de reproyección de todos los puntos, px</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>{n} estaca sujeta la cámara</numerusform>
-    <numerusform>{n} estacas sujetan la cámara</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>CAMERA</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>CÁMARA</translation>
-  </message>
-  <message numerus="yes">
-   <source>peg taken away: {n} pegs left</source>
-   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>estaca quitada: queda {n} estaca</numerusform>
-    <numerusform>estaca quitada: quedan {n} estacas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>peg taken away: the camera is as it was found</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>estaca quitada: la cámara está como se halló</translation>
-  </message>
-  <message>
-   <source>peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>estaca</translation>
-  </message>
-  <message>
-   <source>press on a line of the wireframe</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>pulse sobre una línea del armazón</translation>
-  </message>
-  <message>
-   <source>drag moves this peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>arrastrar mueve esta estaca</translation>
-  </message>
-  <message>
-   <source>click takes it away</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>un clic la quita</translation>
-  </message>
-  <message>
-   <source>drag a place of the wireframe to where it belongs</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>arrastre un punto del armazón a donde debe estar</translation>
-  </message>
-  <message>
-   <source>drag {title} to where it belongs: the camera follows</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>arrastre {title} a donde debe estar: la cámara sigue</translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Ctrl+Z lo retira</translation>
-  </message>
-  <message>
-   <source>PAN</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>DESPLAZAR</translation>
-  </message>
-  <message>
-   <source>drag moves the picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>arrastrar mueve la imagen</translation>
-  </message>
-  <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic e Intro no hacen nada</translation>
-  </message>
-  <message>
-   <source>Esc takes the tool again</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>Esc vuelve a la herramienta</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Imagen</translation>
-  </message>
-  <message>
-   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>cargue un segundo conjunto de cámaras para alternar entre dos (Ctrl+L)</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>cámara ilegible</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>aquí no hay cámara</translation>
-  </message>
-  <message>
-   <source>{titles}: changed elsewhere, look again first</source>
-   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation>{titles}: cambiado en otra parte, mire de nuevo primero</translation>
-  </message>
-  <message>
-   <source>{title} has no points in this frame: choose the element to delete</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{title} no tiene puntos en esta imagen: elija el elemento que borrar</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>se conserva 1 clic de {title} en {frame}, sin confirmar: elija allí el elemento para continuar</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminado con {n} punto en {frame}</numerusform>
-    <numerusform>{title} terminado con {n} puntos en {frame}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>choose the element to delete first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>elija primero el elemento que borrar: mapa del campo, lista o su tecla</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} points of {title}</source>
-   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{n} punto de {title} descartado</numerusform>
-    <numerusform>{n} puntos de {title} descartados</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminado con {n} punto</numerusform>
-    <numerusform>{title} terminado con {n} puntos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs</source>
-   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>
-    <numerusform>{n} estaca</numerusform>
-    <numerusform>{n} estacas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara arrastrada, {pegs}, afinada con la pintura: {share:.0%} de sus líneas</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, not made exact: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara arrastrada, {pegs}, sin afinar: {why}</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara hallada, insegura: {why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara arrastrada, {pegs}</translation>
-  </message>
-  <message>
-   <source>Camera of the track: Shift+Enter accepts its elements</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara del seguimiento: Mayús+Intro acepta sus elementos</translation>
-  </message>
-  <message>
-   <source>Looking for the camera in the picture …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Buscando la cámara en la imagen …</translation>
-  </message>
-  <message>
-   <source>No camera found: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Ninguna cámara hallada: {why}</translation>
-  </message>
-  <message>
-   <source>Camera found, sure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara hallada, segura: {why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}: its lines are looked for …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara arrastrada, {pegs}: se buscan sus líneas …</translation>
-  </message>
-  <message>
-   <source>Camera of the track, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Cámara del seguimiento, insegura: {why}</translation>
-  </message>
-  <message>
-   <source>{title}  ±{sd:.1f} px  unsure</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
-   <translation>{title}  ±{sd:.1f} px  inseguro</translation>
-  </message>
-  <message>
-   <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>siguiente: {title}</translation>
-  </message>
-  <message>
-   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>retícula: las flechas la mueven (Mayús 0.1 px, Ctrl 10 px, Ctrl+Mayús 100 px), Espacio hace clic, Esc la guarda</translation>
-  </message>
-  <message>
-   <source>point at a line first: with the mouse, or with the arrows</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>señale primero una línea: con el ratón o con las flechas</translation>
-  </message>
-  <message>
-   <source>there is no line here to put a point on</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>aquí no hay ninguna línea en que poner un punto</translation>
-  </message>
-  <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Brillo</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Contraste</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Gamma</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Realce de líneas</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Resaltar líneas gastadas y en sombra</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Restablecer</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Mostrar la imagen tal como es</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Solo cambia lo que usted ve, nunca el archivo</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Desplazar todos los valores</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Estirar los valores en torno al gris medio</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Hacia la derecha, las partes oscuras se aclaran</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Cómo de buena es la cámara ajustada</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>metros en el suelo, 1 σ</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera ({model}) is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Cómo de buena es la cámara ajustada ({model})</translation>
-  </message>
-  <message>
-   <source>{metres:g} m, asked of offside technology</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m, lo que se pide a la tecnología de fuera de juego</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd, median {median:.2f}</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>metros en el suelo, 1 σ, mediana {median:.2f}</translation>
-  </message>
-  <message>
-   <source>metres on the ground</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>metros en el suelo</translation>
-  </message>
-  <message>
-   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m: {percent:.0f} % del campo a la vista</translation>
-  </message>
-  <message>
-   <source>Drag to move the divider (arrow keys do it too)</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>Arrastre para mover el divisor (también con las flechas)</translation>
-  </message>
-  <message>
-   <source>Divider of the split view</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>Divisor de la vista dividida</translation>
-  </message>
-  <message>
-   <source>JaC over tau, differences</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC según tau, diferencias</translation>
-  </message>
-  <message>
-   <source>No frame that two of the shown sources have is scored yet.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Aún no hay puntuada ninguna imagen que tengan dos de las fuentes mostradas.</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC por imágenes</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Aún no hay puntuaciones. Se calculan en segundo plano, imagen por imagen.</translation>
-  </message>
-  <message>
-   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{name} menos cada otra fuente, en las imágenes que tienen ambas. Más allá del azar donde la banda del 95 % queda a un lado del 0; {drawn}.</translation>
-  </message>
-  <message>
-   <source>One source alone has nothing to be compared with.
-Load or show another one.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Una fuente sola no tiene con qué compararse.
-Cargue o muestre otra.</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name} (imagen {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Sin puntuación de esta imagen: no está anotada, o ninguna fuente mostrada tiene su cámara.</translation>
-  </message>
-  <message>
-   <source>JaC, difference</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC, diferencia</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>imagen</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Cada curva es la media de las imágenes para las que esa fuente tiene cámara.</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Sombreado: bandas del 95 %, {drawn}.</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Errores, como histograma</translation>
-  </message>
-  <message>
-   <source>Errors, by image radius</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Errores, según el radio en la imagen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} punto sin distancia dejado fuera.</numerusform>
-    <numerusform>{n:,} puntos sin distancia dejados fuera.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
-   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>Marcas: {painted:,} de {n:,} punto, con los mayores errores entre ellos.</numerusform>
-    <numerusform>Marcas: {painted:,} de {n:,} puntos, con los mayores errores entre ellos.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>error de reproyección (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>puntos</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>La última barra reúne todos los errores mayores.</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{px:g} px o más</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} de {total:,}</translation>
-  </message>
-  <message>
-   <source>distance from the centre (corner = 1)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>distancia al centro (esquina = 1)</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Ningún punto de {element} en esta imagen.</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Ningún punto de {element} hasta ahora.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Ningún punto anotado en esta imagen que proyecte una fuente mostrada.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Hasta ahora ningún punto anotado que proyecte una fuente mostrada.</translation>
-  </message>
   <message>
-   <source>Lines: running median of all points.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Líneas: mediana móvil de todos los puntos.</translation>
-  </message>
-  <message>
-   <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation>Fuentes: {names}</translation>
-  </message>
-  <message>
-   <source>({n:,} of {total:,})</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>({n:,} de {total:,})</translation>
-  </message>
-  <message>
-   <source>All elements</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Todos los elementos</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Guardar</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copiar o guardar el gráfico y sus números</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copiar o guardar el gráfico</translation>
-  </message>
-  <message>
-   <source>Plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Gráfico</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Trazar la imagen en pantalla, o todas las puntuadas hasta ahora</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Trazar solo los puntos de un elemento</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Abra una carpeta de imágenes para ver gráficos.</translation>
-  </message>
-  <message>
-   <source>This plot could not be computed: {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Este gráfico no se pudo calcular: {error}.</translation>
-  </message>
-  <message>
-   <source>({n:,} committed)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>({n:,} entregadas)</translation>
-  </message>
-  <message>
-   <source>Copy picture</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copiar imagen</translation>
-  </message>
-  <message>
-   <source>Copy numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copiar números</translation>
-  </message>
-  <message>
-   <source>Save picture…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Guardar imagen…</translation>
-  </message>
-  <message>
-   <source>Save numbers…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Guardar números…</translation>
-  </message>
-  <message>
-   <source>Computing…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Calculando…</translation>
-  </message>
-  <message>
-   <source>(hidden)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>(oculto)</translation>
-  </message>
-  <message>
-   <source>(no score)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>(sin puntuación)</translation>
-  </message>
-  <message>
-   <source>Pan, tilt, roll, zoom over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Giro, inclinación, alabeo y zoom por imágenes</translation>
-  </message>
-  <message>
-   <source>Position over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Posición por imágenes</translation>
-  </message>
-  <message>
-   <source>tilt</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>inclinación</translation>
-  </message>
-  <message>
-   <source>roll</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>alabeo</translation>
-  </message>
-  <message>
-   <source>focal</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>focal</translation>
-  </message>
-  <message>
-   <source>height</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>altura</translation>
-  </message>
-  <message>
-   <source>No poses yet. They are gathered in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Aún no hay poses. Se reúnen en segundo plano, imagen por imagen.</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>giro</translation>
-  </message>
-  <message>
-   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Las fuentes mostradas son de modelos sin pose (homografías, solo proyecciones).</translation>
-  </message>
-  <message numerus="yes">
-   <source>{name}: {n:,} jumps (rings).</source>
-   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>
-    <numerusform>{name}: {n:,} salto (anillo).</numerusform>
-    <numerusform>{name}: {n:,} saltos (anillos).</numerusform>
-   </translation>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Mediana del error de reproyección, px</translation>
   </message>
   <message>
-   <source>{name}: its model has no pose.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name}: su modelo no tiene pose.</translation>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Máx.</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Oculto: el modo ciego solo muestra imágenes entregadas, y ninguna está en este gráfico.</translation>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Mayor error de reproyección, px</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Oculto: el modo ciego muestra este gráfico una vez entregada esta imagen.</translation>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{name} no tiene cámara para esta imagen.</translation>
   </message>
   <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Los planos se reconocen por los nombres, pues {error}.</translation>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>puntos: {kinds}</translation>
   </message>
   <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Residuos sobre la imagen</translation>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Fallo</translation>
   </message>
   <message>
-   <source>Residuals, by direction</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Residuos, por dirección</translation>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>De quién es el fallo de la puntuación de esta imagen; se conserva con el conjunto</translation>
   </message>
   <message>
-   <source>{px:.2f} px right</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px a la derecha</translation>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Copiar esta explicación</translation>
   </message>
   <message>
-   <source>{px:.2f} px left</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px a la izquierda</translation>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Copiar todas las explicaciones</translation>
   </message>
   <message>
-   <source>{px:.2f} px down</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px hacia abajo</translation>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Abra una carpeta de imágenes para ver puntuaciones.</translation>
   </message>
   <message>
-   <source>{px:.2f} px up</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px hacia arriba</translation>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC –: {why}.</translation>
   </message>
   <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flechas dibujadas más largas</translation>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>La cámara de esta imagen no se puede usar:
+{error}</translation>
   </message>
   <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Cuántas veces más largas de lo que son se dibujan las flechas</translation>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>No hay ajuste que juzgar: {why}.</translation>
   </message>
   <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>automático</translation>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Veredicto: {verdict}</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flechas {factor} veces más largas de lo que son: del clic hacia la proyección.</translation>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{verdict}; otra vez lo retira ({key})</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flechas {factor} veces más largas de lo que son: el residuo mediano de cada parte de la imagen con 5 puntos o más.</translation>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Elementos cuyos puntos están todos más cerca que tau</translation>
   </message>
   <message>
-   <source>to the right (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>a la derecha (px)</translation>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Elementos demasiado lejos, o proyectados y no anotados</translation>
   </message>
   <message>
-   <source>down (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>hacia abajo (px)</translation>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Elementos anotados que la cámara no proyecta</translation>
   </message>
   <message>
-   <source>Median of clicks to projection: {ways}.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Mediana de clics a proyección: {ways}.</translation>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Cuenta como {class_name}</translation>
   </message>
   <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Aún pocos puntos: cinco en una parte de la imagen hacen una flecha.</translation>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>ancla</translation>
   </message>
   <message>
-   <source>No three frames in a row have a camera that goes from one to the next.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>No hay tres imágenes seguidas con una cámara que pase de una a otra.</translation>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>seguida</translation>
   </message>
   <message>
-   <source>Jitter over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Temblor por imágenes</translation>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>puenteada</translation>
   </message>
   <message>
-   <source>How far each frame is from steady motion between its neighbours.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Cuánto se aparta cada imagen de un movimiento uniforme entre sus vecinas.</translation>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>perdida</translation>
   </message>
   <message>
-   <source>jitter (px)</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>temblor (px)</translation>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>imagen {number} de {first}–{last}</translation>
   </message>
   <message>
-   <source>Picture (*.png);;Vector graphics (*.svg)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>Imagen (*.png);;Gráfico vectorial (*.svg)</translation>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{state}, {share:.0%} de las líneas sobre pintura</translation>
   </message>
   <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Tabla (*.csv)</translation>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>los nombres cuentan de {step} en {step}</translation>
   </message>
   <message>
-   <source>the plotted numbers are on the clipboard</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>los números del gráfico están en el portapapeles</translation>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>su cámara se arrastró</translation>
   </message>
   <message>
-   <source>Save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>Guardar el gráfico</translation>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>ciego: su cámara está oculta</translation>
   </message>
   <message>
-   <source>wrote {path}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} escrito, hasta donde está puntuado</translation>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{found}, a {far:.1f} px</translation>
   </message>
   <message>
-   <source>wrote {path}</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} escrito</translation>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>dudosa: {why}</translation>
   </message>
   <message>
-   <source>the plot is on the clipboard as a picture</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>el gráfico está en el portapapeles como imagen</translation>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Imágenes del plano</translation>
   </message>
   <message>
-   <source>there is nothing plotted to take along</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>no hay nada trazado que llevarse</translation>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Las flechas van de imagen en imagen, con Mayús marcan un tramo, Esc lo olvida</translation>
   </message>
   <message>
-   <source>{frames}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{frames}, hasta donde está puntuado</translation>
+   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
+   <extracomment>[procc_annotator/gui/panels/widgets.py]</extracomment>
+   <translation>{number:g} no: de {least:g} a {most:g}{unit}</translation>
   </message>
   <message>
    <source>Fit and ghosts</source>
@@ -4129,6 +5889,11 @@ Cargue o muestre otra.</translation>
    <source>Annotating</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
    <translation>Anotación</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what})</source>
+   <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
+   <translation>error inesperado ({what})</translation>
   </message>
   <message>
    <source>{who} unlocked this dataset from blind mode on {day}</source>
@@ -4161,11 +5926,6 @@ Cargue o muestre otra.</translation>
    <translation>{reason}: el menú Imagen lo levanta, y queda registrado</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>abra primero una carpeta de imágenes</translation>
-  </message>
-  <message>
    <source>this dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
    <translation>este conjunto está fijado en modo ciego</translation>
@@ -4186,169 +5946,119 @@ Cargue o muestre otra.</translation>
    <translation>cargue una de sus carpetas: {names}</translation>
   </message>
   <message>
-   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} solo dicen dónde se ven los elementos, sin cámara: no hay suelo que comparar.</translation>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>ya contiene lo mismo</translation>
   </message>
   <message>
-   <source>{names}: no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names}: sin cámara para esta imagen.</translation>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>ya está anotada</translation>
   </message>
   <message>
-   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{name} solo dice dónde se ven los elementos, sin cámara: no hay suelo que comparar.</translation>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>{who} la está editando</translation>
   </message>
   <message>
-   <source>{a} and {b}</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{a} y {b}</translation>
-  </message>
-  <message>
-   <source>The two see no part of the field in common in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Las dos no ven ninguna parte común del campo en esta imagen.</translation>
-  </message>
-  <message>
-   <source>Both cameras are the same in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Las dos cámaras son iguales en esta imagen.</translation>
-  </message>
-  <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Ciego: oculto hasta entregar esta imagen.</translation>
-  </message>
-  <message>
-   <source>No source is judged: choose one first.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>No se juzga ninguna fuente: elija una primero.</translation>
-  </message>
-  <message>
-   <source>Two sources of cameras are needed: load another one.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Hacen falta dos fuentes de cámaras: cargue otra.</translation>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>no se puede editar</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>ciego: aquí no hay nada anotado; Ctrl+Intro otra vez muestra las cámaras, y lo que se marque después no es trabajo a ciegas</translation>
   </message>
   <message>
    <source>{frame} is done</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} está terminada</translation>
   </message>
   <message>
    <source>nothing to undo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>nada que deshacer en esta imagen</translation>
   </message>
   <message>
    <source>undo once more takes that away</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>deshacer otra vez lo quita</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} se cambió en otra parte y se leyó de nuevo: {so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>los elementos sin confirmar no cuentan: {count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>deshecho: {step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rehecho: {step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} se cambió en otra parte: leída de nuevo</translation>
   </message>
   <message>
    <source>nothing is undone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>no se deshace nada</translation>
   </message>
   <message>
    <source>nothing is redone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>no se rehace nada</translation>
   </message>
   <message>
    <source>nothing to redo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>nada que rehacer en esta imagen</translation>
   </message>
   <message>
-   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>{file} dice cuál es el campo de este conjunto: para elegir otro, aparte ese archivo y abra el conjunto de nuevo</translation>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>las cámaras de {name} cambiaron: {why}</translation>
   </message>
   <message>
-   <source>field: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>campo: {field}</translation>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>las cámaras de {name} cambiaron en disco: leídas de nuevo</translation>
   </message>
   <message>
-   <source>this dataset's field from now on: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>el campo de este conjunto desde ahora: {field}</translation>
-  </message>
-  <message>
-   <source>this dataset's field from now on, {reach}: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>el campo de este conjunto desde ahora, {reach}: {field}</translation>
-  </message>
-  <message>
-   <source>no other field knows the classes here better</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>ningún otro campo conoce mejor estas clases</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>todas las imágenes después de esta están anotadas</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>todas las imágenes antes de esta están anotadas</translation>
-  </message>
-  <message>
-   <source>{title}: its line could not be looked for: {why}</source>
-   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation>{title}: no se pudo buscar su línea: {why}</translation>
-  </message>
-  <message>
-   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} está en {place} m, ± {deviations}, con {views} vistas</translation>
-  </message>
-  <message>
-   <source>{title} was deleted meanwhile: its place was not kept</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} se borró entretanto: su lugar no se conservó</translation>
-  </message>
-  <message>
-   <source>left out: {names}</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>dejados fuera: {names}</translation>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/saving.py]</extracomment>
+   <translation>no guardado: {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
    <translation>las referencias del conjunto quedan como estaban: {why}</translation>
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} está en {place} m, ± {deviations}, con {views} vistas</translation>
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} se borró entretanto: su lugar no se conservó</translation>
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>dejados fuera: {names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
@@ -4361,54 +6071,149 @@ Cargue o muestre otra.</translation>
    <translation>las referencias del conjunto se pueden usar otra vez</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>el ajuste continuo está desactivado</translation>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names} solo dicen dónde se ven los elementos, sin cámara: no hay suelo que comparar.</translation>
   </message>
   <message>
-   <source>the fit failed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>el ajuste falló: {why}</translation>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names}: sin cámara para esta imagen.</translation>
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{name} solo dice dónde se ven los elementos, sin cámara: no hay suelo que comparar.</translation>
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{a} y {b}</translation>
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Las dos no ven ninguna parte común del campo en esta imagen.</translation>
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Las dos cámaras son iguales en esta imagen.</translation>
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Ciego: oculto hasta entregar esta imagen.</translation>
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>No se juzga ninguna fuente: elija una primero.</translation>
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Hacen falta dos fuentes de cámaras: cargue otra.</translation>
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>La cámara ajustada no ve ninguna parte del campo.</translation>
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>El ajuste continuo está desactivado, así que no hay mapa de incertidumbre (Ctrl+T lo activa).</translation>
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>No hay ajuste de esta imagen, así que no hay mapa de incertidumbre.</translation>
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Aún no hay cámara, así que no hay mapa de incertidumbre: {why}.</translation>
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>no se puede dibujar la anchura pintada: {why}</translation>
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>{file} dice cuál es el campo de este conjunto: para elegir otro, aparte ese archivo y abra el conjunto de nuevo</translation>
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>campo: {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>el campo de este conjunto desde ahora: {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>el campo de este conjunto desde ahora, {reach}: {field}</translation>
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>ningún otro campo conoce mejor estas clases</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>todas las imágenes después de esta están anotadas</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>todas las imágenes antes de esta están anotadas</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>no se puede escribir en {folder}: nada de lo que se anote aquí se puede guardar</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>aún no está todo guardado: el otro conjunto no se abrió</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>aún no está todo guardado: el vídeo no se abrió</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>no hay nada abierto</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>el campo de este conjunto: {field}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>las cámaras de {name} cambiaron: {why}</translation>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>{title}: no se pudo buscar su línea: {why}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed on disk: read again</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>las cámaras de {name} cambiaron en disco: leídas de nuevo</translation>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>el ajuste continuo está desactivado</translation>
   </message>
   <message>
-   <source>the painted width cannot be drawn: {why}</source>
-   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation>no se puede dibujar la anchura pintada: {why}</translation>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>el ajuste falló: {why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -4436,9 +6241,14 @@ Cargue o muestre otra.</translation>
    <translation>solo en esta ventana: no se puede escribir nada</translation>
   </message>
   <message>
-   <source>not saved: {why}</source>
-   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation>no guardado: {why}</translation>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}: no hay cámaras dentro ({what_to_do})</translation>
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}: ninguna cámara tiene el nombre de una imagen (las cámaras se llaman como {camera!r}, las imágenes como {frame!r})</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -4457,36 +6267,6 @@ Cargue o muestre otra.</translation>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
    <translation>segundo anotador: {why}</translation>
-  </message>
-  <message>
-   <source>it holds the same already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>ya contiene lo mismo</translation>
-  </message>
-  <message>
-   <source>it is annotated already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>ya está anotada</translation>
-  </message>
-  <message>
-   <source>{who} is editing it</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>{who} la está editando</translation>
-  </message>
-  <message>
-   <source>it cannot be edited</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>no se puede editar</translation>
-  </message>
-  <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}: no hay cámaras dentro ({what_to_do})</translation>
-  </message>
-  <message>
-   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}: ninguna cámara tiene el nombre de una imagen (las cámaras se llaman como {camera!r}, las imágenes como {frame!r})</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
@@ -4509,2257 +6289,59 @@ Cargue o muestre otra.</translation>
    <translation>la anotación no se puede leer</translation>
   </message>
   <message>
-   <source>The fitted camera sees no part of the field.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>La cámara ajustada no ve ninguna parte del campo.</translation>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Fantasma de {title}</translation>
   </message>
   <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>El ajuste continuo está desactivado, así que no hay mapa de incertidumbre (Ctrl+T lo activa).</translation>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Aceptar</translation>
   </message>
   <message>
-   <source>There is no fit of this frame, so no uncertainty map.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>No hay ajuste de esta imagen, así que no hay mapa de incertidumbre.</translation>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Mirar de cerca</translation>
   </message>
   <message>
-   <source>No camera yet, so no uncertainty map: {why}.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Aún no hay cámara, así que no hay mapa de incertidumbre: {why}.</translation>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
+   <translation>No visible aquí</translation>
   </message>
   <message>
-   <source>Frames as small pictures</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>Imágenes en miniatura</translation>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Dibujando {title}</translation>
   </message>
   <message>
-   <source>The arrows go along, Enter shows the frame</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>Las flechas recorren, Intro muestra la imagen</translation>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Dividir aquí: el resto pasa a ser</translation>
   </message>
   <message>
-   <source>Frames of the shot</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>Imágenes del plano</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>No visible aquí: retirar</translation>
   </message>
   <message>
-   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>Las flechas van de imagen en imagen, con Mayús marcan un tramo, Esc lo olvida</translation>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Cambiar la clase a (intercambia con una anotada)</translation>
   </message>
   <message>
-   <source>anchor</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>ancla</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Punto {number} de {title}</translation>
   </message>
   <message>
-   <source>followed</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>seguida</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Unir con</translation>
   </message>
   <message>
-   <source>bridged</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>puenteada</translation>
-  </message>
-  <message>
-   <source>lost</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>perdida</translation>
-  </message>
-  <message>
-   <source>frame {number} of {first}–{last}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>imagen {number} de {first}–{last}</translation>
-  </message>
-  <message>
-   <source>{state}, {share:.0%} of the lines on paint</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{state}, {share:.0%} de las líneas sobre pintura</translation>
-  </message>
-  <message>
-   <source>names count by {step}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>los nombres cuentan de {step} en {step}</translation>
-  </message>
-  <message>
-   <source>its camera was dragged</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>su cámara se arrastró</translation>
-  </message>
-  <message>
-   <source>blind: its camera is hidden</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>ciego: su cámara está oculta</translation>
-  </message>
-  <message>
-   <source>{found}, {far:.1f} px from it</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{found}, a {far:.1f} px</translation>
-  </message>
-  <message>
-   <source>doubtful: {why}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>dudosa: {why}</translation>
-  </message>
-  <message>
-   <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>nada cambió: ya era regular, o no se halló allí ninguna línea pintada</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copiado de {frame}, según el seguimiento; Mayús+V confirma todos</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copiado de {frame}, movido con la cámara; Mayús+V confirma todos</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copiado de {frame}, tal como estaba: no se halló movimiento; Mayús+V confirma todos</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>retirado: no se regulariza nada</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>retirado: no se copia nada</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>se dejó la imagen: no se regularizó nada</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>se dejó la imagen: no se copió nada</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{n} punto sin confirmar por la pintura</numerusform>
-    <numerusform>{n} puntos sin confirmar por la pintura</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>regularizar {what}</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>copiar de {frame}</translation>
-  </message>
-  <message>
-   <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>elija primero un elemento anotado</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento</numerusform>
-    <numerusform>{n} elementos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what} regularizado: {n} punto</numerusform>
-    <numerusform>{what} regularizado: {n} puntos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{element} tiene esquinas o es un solo lugar: queda como está</translation>
-  </message>
-  <message>
-   <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>aquí no hay anotado ningún elemento del campo</translation>
-  </message>
-  <message>
-   <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>ninguna imagen antes de esta está anotada</translation>
-  </message>
-  <message>
-   <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} no tiene ningún elemento que falte aquí</translation>
-  </message>
-  <message>
-   <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} pasa a {other}</translation>
-  </message>
-  <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>intercambiar {element} y {other}</translation>
-  </message>
-  <message>
-   <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>duplicar {element} como {other}</translation>
-  </message>
-  <message>
-   <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>unir {element} con {other}</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>cerrar huecos</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>confirmar {n} elemento</numerusform>
-    <numerusform>confirmar {n} elementos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>descartar {n} elemento sin confirmar</numerusform>
-    <numerusform>descartar {n} elementos sin confirmar</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} es su propia clase simétrica</translation>
-  </message>
-  <message numerus="yes">
-   <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{elements} ya está anotado</numerusform>
-    <numerusform>{elements} ya están anotados</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} está donde {other}: arrástrelo a su sitio</translation>
-  </message>
-  <message>
-   <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>invertir {element}</translation>
-  </message>
-  <message>
-   <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>elija primero el punto por el que dividir (modo editar)</translation>
-  </message>
-  <message>
-   <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>dividir {element}</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento confirmado</numerusform>
-    <numerusform>{n} elementos confirmados</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>no hay nada sin confirmar en esta imagen</translation>
-  </message>
-  <message>
-   <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>ningún extremo está tan cerca de una esquina o del borde de la imagen</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento sin confirmar descartado</numerusform>
-    <numerusform>{n} elementos sin confirmar descartados</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>un elemento se divide por un punto entre sus extremos, en una clase libre</translation>
-  </message>
-  <message>
-   <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} se cambió en otra parte: mírelo de nuevo</translation>
-  </message>
-  <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} punto</numerusform>
-    <numerusform>{n} puntos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}: {points}, línea vista en un {share:.0%}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} extremo de {elements} no se ve: los puntos acaban antes</numerusform>
-    <numerusform>{n} extremos de {elements} no se ven: los puntos acaban antes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>la cámara es otra entretanto</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aceptar {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} fantasma</numerusform>
-    <numerusform>{n} fantasmas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} de {total} fantasmas</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} aceptado</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} extremo no se ve: los puntos acaban antes</numerusform>
-    <numerusform>{n} extremos no se ven: los puntos acaban antes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>la imagen se editó entretanto</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>buscar la línea en {frame} llevó demasiado tiempo</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} no está aceptado: {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Aceptar todos los fantasmas</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>Cuánto de la línea de un fantasma debe verse para aceptarlo con todos los demás (%):</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}: no se halla ninguna línea pintada en él; márquelo a mano, o diga que no es visible aquí (.)</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>se está ajustando la cámara: acepte sus fantasmas en un momento</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma, se ve menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} aceptado en {frame}</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma: no hay imagen en que buscar sus líneas</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma: {why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} no está aceptado</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>el fantasma está aceptado: acepte los fantasmas del nuevo ajuste</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>lo que se dibujaba está terminado: acepte los fantasmas del nuevo ajuste</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} estará aceptado cuando se hallen sus puntos</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>vaya primero a un fantasma (Tab) o elija un elemento</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>ese era el primer fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
-    <numerusform>ese era el primer fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos, o siga el plano (T)</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>ese era el último fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
-    <numerusform>ese era el último fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>se está ajustando la cámara: los fantasmas llegan en un momento</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: se busca la cámara en la imagen</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: {why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: lo demás que está a la vista está anotado, o no se conoce lo bastante bien</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: anote tres o cuatro elementos y de ellos sale una cámara</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas en modo ciego hasta entregar la imagen (Ctrl+Intro)</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: el ajuste continuo está desactivado (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: están desactivados (Elemento &gt; Fantasmas &gt; Mostrar fantasmas)</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>las superposiciones están ocultas: no se ve ningún fantasma (Ctrl+H, o suelte X)</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>termine primero lo que se dibuja (Intro), o cancélelo (Esc)</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: no se pudo ajustar ninguna cámara</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aún no se ajusta ninguna cámara</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>se está dibujando a mano</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} está anotado aquí: bórrelo primero (Ctrl+Supr)</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} no es visible aquí; Ctrl+. lo retira</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} quizá vuelva a ser visible aquí</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>de ningún elemento de esta imagen se dijo que no fuera visible</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ese era el último fantasma</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>vaya primero a un fantasma (Tab)</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{off}; elija primero un elemento</translation>
-  </message>
-  <message>
-   <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Nombre de la línea</translation>
-  </message>
-  <message>
-   <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>¿Qué línea es esta?</translation>
-  </message>
-  <message>
-   <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} es una curva, que dos puntos no muestran: siga haciendo clic</translation>
-  </message>
-  <message>
-   <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} ya está anotado</translation>
-  </message>
-  <message>
-   <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Dejarla sin nombre</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Las puntuaciones difieren entonces de las del campo nominal ({nominal}), que es el de las evaluaciones oficiales; dicen con qué dimensiones se calcularon.</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Dimensiones propias (stadiums.csv): {frames} de {stadiums}. Lo que se introduce aquí vale para todas las demás, y para lo que los estadios dejan abierto.</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Las puntuaciones difieren entonces de las evaluaciones oficiales, que toman las líneas donde las miden las reglas; lo dicen.</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Las reglas miden muchas líneas en un borde de su pintura. Los clics se ponen en el medio, a media anchura de pintura: elíjalo donde eso importa, como en pabellones y cerca de la cámara.</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Solo la longitud y la anchura se hallan con las imágenes, y las reglas fijan las de este campo</translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>donde miden las reglas</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>el medio de la pintura</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Dimensiones del campo: {field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Estimar con este conjunto</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Conservar para este conjunto</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Nominal</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>El campo que toman las evaluaciones oficiales</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>nominal {nominal:g} m, las reglas permiten de {minimum:g} a {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>&lt;b&gt;no {number:g} m: las reglas permiten de {minimum:g} a {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} imagen</numerusform>
-    <numerusform>{n} imágenes</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} estadio</numerusform>
-    <numerusform>{n} estadios</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Los clics están en:</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Conservar el campo y no decir más de estas clases</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>El conjunto lo recuerda y no se vuelve a preguntar</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>No, {field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>El campo de este conjunto</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Descripciones de campos (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>¿Es esto {field}? Las clases anotadas aquí son las de {field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{why}, pero decide {file} en la carpeta del conjunto</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Sí, {field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Cambiar a {field}</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{problem}; el campo quedó como estaba: {field}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imagen.</numerusform>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imágenes.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>Con la cámara de {n} imagen; ± es una desviación típica.</numerusform>
-    <numerusform>Con las cámaras de {n} imágenes; ± es una desviación típica.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>{remark}; quedó como estaba.</translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Ciego: las imágenes no entregadas no participaron ({n}).</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Las imágenes que no se pueden leer no participaron: {n}.</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>las reglas fijan todas las dimensiones del campo {field}</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Ciego: el conjunto se mira cuando una de sus imágenes está entregada (Ctrl+Intro).</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Las imágenes de un instante desde distintas cámaras son un grupo. Sus nombres lo dicen según un patrón: &lt;b&gt;{instant}&lt;/b&gt; representa cuándo se tomó una imagen, &lt;b&gt;{view}&lt;/b&gt; la cámara, y todo lo demás a sí mismo. También sirve una expresión regular con &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; y &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt;.</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>No se halló ningún patrón que encaje con estos nombres: escriba uno.</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Instante</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} grupo de {least} a {most}</numerusform>
-    <numerusform>{frames} en {n:,} grupos de {least} a {most}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} grupo</numerusform>
-    <numerusform>{frames} en {n:,} grupos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Grupos de imágenes</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} instante con una sola imagen</numerusform>
-    <numerusform>{n:,} instantes con una sola imagen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} nombre no encaja (al final de la tabla)</numerusform>
-    <numerusform>{n:,} nombres no encajan (al final de la tabla)</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Este nombre no encaja en el patrón: la imagen queda sola</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Agrupar vistas</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Patrón de los nombres de las imágenes</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Escribir {file}</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Conservar estos grupos en la carpeta del conjunto</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>Lo que dice ahora se pierde, con todo lo demás que hay escrito en él.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} de {n:,} instante</numerusform>
-    <numerusform>{frames} de {n:,} instantes</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen, sin agrupar.</numerusform>
-    <numerusform>{n:,} imágenes, ninguna agrupada.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} ya existe: {sizes}.</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} agrupa {sizes} desde ahora</translation>
-  </message>
-  <message>
-   <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Qué resultó</translation>
-  </message>
-  <message>
-   <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Importar anotaciones</translation>
-  </message>
-  <message>
-   <source>Import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Importar</translation>
-  </message>
-  <message>
-   <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Anotaciones que importar</translation>
-  </message>
-  <message>
-   <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Mirar en los archivos</translation>
-  </message>
-  <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Solo imágenes en que aún no hay nada anotado</translation>
-  </message>
-  <message>
-   <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Reemplazar también lo anotado en las demás</translation>
-  </message>
-  <message>
-   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Lo que había queda entre las versiones anteriores de la imagen, y deshacer lo devuelve</translation>
-  </message>
-  <message>
-   <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Anotaciones</translation>
-  </message>
-  <message>
-   <source>Format</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Formato</translation>
-  </message>
-  <message>
-   <source>Import into</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Importar en</translation>
-  </message>
-  <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Las imágenes se emparejan por el nombre de su archivo.</translation>
-  </message>
-  <message>
-   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Anotaciones (*.json *.xml *.zip);;Todos los archivos (*)</translation>
-  </message>
-  <message>
-   <source>Export as</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Exportar como</translation>
-  </message>
-  <message>
-   <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Un archivo zip en lugar de una carpeta</translation>
-  </message>
-  <message>
-   <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Reemplazar los archivos existentes</translation>
-  </message>
-  <message>
-   <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Conservar elementos para los que SoccerNet no tiene clase</translation>
-  </message>
-  <message>
-   <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Anchura de las líneas</translation>
-  </message>
-  <message>
-   <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Copiar también las imágenes</translation>
-  </message>
-  <message>
-   <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Exportar a una carpeta</translation>
-  </message>
-  <message>
-   <source>Keeps {holds}.
-Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Conserva {holds}.
-Pierde {loses}.</translation>
-  </message>
-  <message>
-   <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
-   <translation>Cancelar</translation>
-  </message>
-  <message>
-   <source>Close</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Cerrar</translation>
-  </message>
-  <message>
-   <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Una carpeta, un archivo zip o un solo archivo</translation>
-  </message>
-  <message>
-   <source>File…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Archivo…</translation>
-  </message>
-  <message>
-   <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Carpeta…</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Archivo zip (*.zip)</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} anotación</numerusform>
-    <numerusform>{n:,} anotaciones</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>JaC de {n:,} imagen</numerusform>
-    <numerusform>JaC de {n:,} imágenes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{source} se hace con los clics con que se puntuaría: juzgue las cámaras que puntuar (procc-annotator calibrate ajusta y puntúa un conjunto)</translation>
-  </message>
-  <message>
-   <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{annotations} y {scores}</translation>
-  </message>
-  <message>
-   <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>nada: ninguna imagen está anotada</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Archivo zip (*.zip);;Carpeta (*)</translation>
-  </message>
-  <message>
-   <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Tabla (*.csv);;JSON (*.json)</translation>
-  </message>
-  <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>cargue cámaras primero: no hay nada que puntuar</translation>
-  </message>
-  <message>
-   <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>ciego: aún no hay ninguna imagen entregada, así que no hay JaC que mostrar</translation>
-  </message>
-  <message>
-   <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{what} exportado a {path}</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>no se pudo guardar todo: la exportación tiene el último estado guardado</translation>
-  </message>
-  <message numerus="yes">
-   <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>el modo ciego deja fuera {n:,} imagen aún no entregada</numerusform>
-    <numerusform>el modo ciego deja fuera {n:,} imágenes aún no entregadas</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} archivo no se pudo leer: {problem}</numerusform>
-    <numerusform>{n:,} archivos no se pudieron leer: {problem}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Exportar</translation>
-  </message>
-  <message>
-   <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>exportando {done} / {total}</translation>
-  </message>
-  <message>
-   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>{frames}, {elements} y {points} escritos en {path} ({format}).</translation>
-  </message>
-  <message>
-   <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>No se pudo guardar todo: vale lo que hay en disco.</translation>
-  </message>
-  <message>
-   <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>exportar: cancelado; los archivos ya escritos siguen ahí</translation>
-  </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>No se escribió nada: ninguna imagen está anotada, o ninguna se pudo escribir.</translation>
-  </message>
-  <message>
-   <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Cancelado; los archivos ya escritos siguen ahí.</translation>
-  </message>
-  <message>
-   <source>Not written</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>No escrito</translation>
-  </message>
-  <message>
-   <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Lo que el formato no puede guardar</translation>
-  </message>
-  <message>
-   <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>el ajuste de {frame} está guardado como {path}</translation>
-  </message>
-  <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>no hay cámara que guardar: el ajuste aún no está</translation>
-  </message>
-  <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>el ajuste continuo está desactivado (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>ciego: el ajuste está oculto hasta entregar esta imagen (Ctrl+Intro)</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>no hay cámara que guardar: {why}</translation>
-  </message>
-  <message>
-   <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>el ajuste se está recalculando: guárdelo en un momento</translation>
-  </message>
-  <message>
-   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame}: la imagen no se puede leer, así que los píxeles de la cámara no corresponden a ningún tamaño; no guardado</translation>
-  </message>
-  <message>
-   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>guardado como {path}, pero las cámaras cargadas no se pudieron leer otra vez: {problem}</translation>
-  </message>
-  <message>
-   <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{saved}; está apenas determinado: {why}</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Importar…</translation>
-  </message>
-  <message>
-   <source>Take these annotations in; their files stay as they are</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Tomar estas anotaciones; sus archivos quedan como están</translation>
-  </message>
-  <message>
-   <source>Leave them, and say nothing more of them</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Dejarlas, y no decir más de ellas</translation>
-  </message>
-  <message>
-   <source>Annotations of another program lie in this dataset: {format}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>En este conjunto hay anotaciones de otro programa: {format}.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{edited} de {n:,} imagen importada ({format}).</numerusform>
-    <numerusform>{edited} de {n:,} imágenes importadas ({format}).</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>Cancelado: {n:,} imagen no se miró.</numerusform>
-    <numerusform>Cancelado: {n:,} imágenes no se miraron.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen ya está anotada y quedó sin cambios.</numerusform>
-    <numerusform>{n:,} imágenes ya están anotadas y quedaron sin cambios.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen ya contiene lo mismo.</numerusform>
-    <numerusform>{n:,} imágenes ya contienen lo mismo.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>importar</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{edited} de {n:,} imagen importada</numerusform>
-    <numerusform>{edited} de {n:,} imágenes importadas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Cancelado; no se importó nada.</translation>
-  </message>
-  <message>
-   <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Dejadas como estaban</translation>
-  </message>
-  <message>
-   <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>No se pudieron leer</translation>
-  </message>
-  <message>
-   <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Sin imagen aquí ({n})</translation>
-  </message>
-  <message>
-   <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Cambiadas o dejadas fuera</translation>
-  </message>
-  <message>
-   <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>no se pudo guardar: {why}</translation>
-  </message>
-  <message>
-   <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>? (queda como está, una clase desconocida)</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>Dejar fuera</translation>
-  </message>
-  <message>
-   <source>Label</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Etiqueta</translation>
-  </message>
-  <message>
-   <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Formas</translation>
-  </message>
-  <message>
-   <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Significa</translation>
-  </message>
-  <message>
-   <source>Why</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Por qué</translation>
-  </message>
-  <message>
-   <source>sure</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>seguro</translation>
-  </message>
-  <message>
-   <source>likely</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>probable</translation>
-  </message>
-  <message>
-   <source>to be said</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>por decir</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
-    <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Estos nombres se parecen más a los de {field}: elija primero ese campo (Archivo &gt; Campo).</translation>
-  </message>
-  <message>
-   <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Nombres de otro programa</translation>
-  </message>
-  <message>
-   <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Conservar estos nombres con el conjunto ({file})</translation>
-  </message>
-  <message>
-   <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Qué significa {label}</translation>
-  </message>
-  <message>
-   <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Añadir estos nombres a {file} del conjunto, escrito de nuevo</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Imágenes</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Vídeos</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>el ejemplo viene con el código fuente, no aquí</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>su propia copia, en {folder}; cargue sus cámaras desde el menú Cámara</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Cámaras</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Abrir una carpeta de imágenes</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Abrir una imagen</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Abrir un vídeo</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Abrir la carpeta de un segundo anotador</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, sin la leyenda</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, demasiado grande: elija una escala menor o SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>PNG: píxeles, sin pérdida</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>JPEG: píxeles, pequeño</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>SVG: líneas y texto siempre nítidos</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Imagen (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Guardar imagen superpuesta</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Px del resultado por px de la imagen; líneas y texto crecen con ella</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Explicar bajo la imagen los colores, trazos y marcas</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Tipo</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Escala</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Resultado</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Leyenda</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>escribiendo la imagen superpuesta {path} …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>abra primero una imagen</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{path}: es la propia imagen, elija otro nombre</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>imagen superpuesta escrita en {path}</translation>
-  </message>
-  <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>Exportar el resumen</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen exportada a {path}</numerusform>
-    <numerusform>{n:,} imágenes exportadas a {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>el conjunto aún se estaba puntuando: algunas imágenes no tienen JaC todavía</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>las cámaras abiertas aquí antes ya no están: {paths}</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>las cámaras abiertas aquí antes no se abren de nuevo: {why}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Una imagen cada</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>La primera imagen de cada escena</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Busca cortes en todo el vídeo; tarda un rato</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>Campo</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Leyendo {file}</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Buscando cortes en {file}</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>esta imagen ya es un archivo de imagen</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>conservada como {path}</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>No se extrae nada; «Conservar esta imagen del vídeo» escribe un archivo.</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Levantarlo muestra cámaras, fantasmas y el ajuste a todos los que lo anotan. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Levantarlo le muestra a usted cámaras, fantasmas y el ajuste; para otros no estaba fijado. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Levantar el modo ciego</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Levantarlo y registrarlo</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Mantenerlo fijado</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>error</translation>
-  </message>
-  <message>
-   <source>warning</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>aviso</translation>
-  </message>
-  <message>
-   <source>hint</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>indicio</translation>
-  </message>
-  <message>
-   <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>hallazgo {place} de {total}, {severity}: {elements}</translation>
-  </message>
-  <message>
-   <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>ningún hallazgo es tan seguro como pide el panel Comprobación</translation>
-  </message>
-  <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento con otra clase</numerusform>
-    <numerusform>{n} elementos con otra clase</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen revisada, modelo de cámara {model}: {found}</numerusform>
-    <numerusform>{n:,} imágenes revisadas, modelo de cámara {model}: {found}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen revisada</numerusform>
-    <numerusform>{n:,} imágenes revisadas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} y {other}</translation>
-  </message>
-  <message>
-   <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la revisión de clases aún examina esta imagen</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la revisión de clases no ha hallado nada; revise todo el conjunto para mirar todas las imágenes</translation>
-  </message>
-  <message>
-   <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{done}; Ctrl+Z lo retira</translation>
-  </message>
-  <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>punto {n} de {element} quitado</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} y {other} intercambiados</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} pasado a {other}</translation>
-  </message>
-  <message>
-   <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>ignorado hasta que cambie {elements}; el panel Comprobación lo devuelve</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen no se puede revisar</numerusform>
-    <numerusform>{n:,} imágenes no se pueden revisar</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Exportar hallazgos</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} hallazgo en {frames} exportado a {path}</numerusform>
-    <numerusform>{n:,} hallazgos en {frames} exportados a {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la revisión de clases no ha hallado nada</translation>
-  </message>
-  <message>
-   <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>los elementos han cambiado desde entonces: revisados de nuevo</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>punto de {element} quitado</translation>
-  </message>
-  <message>
-   <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>vaya primero a un hallazgo (F10)</translation>
-  </message>
-  <message>
-   <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>revisión del conjunto detenida; lo hallado queda</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la revisión de clases no ha hallado nada en esta imagen</translation>
-  </message>
-  <message>
-   <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>nada hallado</translation>
-  </message>
-  <message>
-   <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>no se conoce remedio: {reason}</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>ninguna otra imagen está rechazada</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>{frame} está {status}</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>todas las imágenes después de esta están terminadas o aprobadas</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>todas las imágenes antes de esta están terminadas o aprobadas</translation>
-  </message>
-  <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>el modo ciego deja fuera {n} de imágenes no entregadas</translation>
-  </message>
-  <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{frame}: ya sin veredicto sobre {source}</translation>
-  </message>
-  <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Nota al veredicto</translation>
-  </message>
-  <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Qué está mal aquí:</translation>
-  </message>
-  <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Exportar veredictos</translation>
-  </message>
-  <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ciego: ninguna imagen entregada tiene veredicto</translation>
-  </message>
-  <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ninguna imagen tiene veredicto aún: dé uno primero</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} veredicto exportado a {path}</numerusform>
-    <numerusform>{n:,} veredictos exportados a {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>un veredicto es sobre una imagen y una cámara: cargue cámaras primero</translation>
-  </message>
-  <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ciego: la cámara está oculta hasta entregar esta imagen (Ctrl+Intro)</translation>
-  </message>
-  <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>dé primero un veredicto: fallo de la cámara, fallo de la anotación o correcto</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>no se pudo guardar todo: las cifras son del último estado guardado</translation>
-  </message>
-  <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} sigue los clics: un veredicto es sobre una cámara que se cargó</translation>
-  </message>
-  <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>recuperar una versión anterior</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>la versión anterior ha vuelto; deshacer la quita otra vez</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>la versión anterior vuelve a estar ahí; lo que no se podía leer se conserva como versión</translation>
-  </message>
-  <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>la imagen se cambió en otra parte: mírela y recupere de nuevo</translation>
-  </message>
-  <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>No hay versión anterior de esta imagen.</translation>
-  </message>
-  <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Comparado con ahora: {changes}. Lo que difiere: {elements}.</translation>
-  </message>
-  <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>no se puede leer</translation>
-  </message>
-  <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>vacía</translation>
-  </message>
-  <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>como ahora</translation>
-  </message>
-  <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>otros elementos</translation>
-  </message>
-  <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>puntos movidos</translation>
-  </message>
-  <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Esto es lo que la imagen contiene ahora.</translation>
-  </message>
-  <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Comparado con ahora: los mismos puntos en otro orden de elementos.</translation>
-  </message>
-  <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Versiones anteriores</translation>
-  </message>
-  <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Recuperar</translation>
-  </message>
-  <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>%d/%m/%Y, %H:%M:%S</translation>
-  </message>
-  <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>{n} más</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} de {total}, las peores primero: JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} de {total}, las peores primero: mayor error {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} de {total}, las peores primero: desacuerdo mediano {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>aún no hay JaC: cargue cámaras primero</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>no hay ninguna imagen puntuada a la que ir</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>comparando {source} con {other} en el conjunto</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>hacen falta dos fuentes para ver dónde discrepan: cargue más cámaras (Ctrl+L)</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} y {other} no se pueden comparar sobre el suelo en ninguna imagen</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>comparación de las fuentes detenida</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>esta es la peor; otra vez sigue adelante</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>ninguna otra imagen está puntuada</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>desde la peor otra vez</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>no hay imagen puntuada a la que ir: el modo ciego solo muestra las entregadas</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>ya se están comparando dos fuentes</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} y {other} están comparadas</translation>
-  </message>
-  <message>
-   <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>ya está anotada entretanto</translation>
-  </message>
-  <message>
-   <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>se editó desde entonces</translation>
-  </message>
-  <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>ninguna imagen que aceptar: siga primero el plano (T); las dudosas y las anotadas se dejan fuera</translation>
-  </message>
-  <message>
-   <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>modo ciego: no se acepta nada que no se haya marcado</translation>
-  </message>
-  <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>buscando pintura a lo largo del seguimiento: {done} de {total} imágenes</translation>
-  </message>
-  <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen aceptada según el seguimiento</numerusform>
-    <numerusform>{n:,} imágenes aceptadas según el seguimiento</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Ctrl+Z las retira</translation>
-  </message>
-  <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>retirado: {n:,} imagen aceptada según el seguimiento</numerusform>
-    <numerusform>retirado: {n:,} imágenes aceptadas según el seguimiento</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen dejada: {why}</numerusform>
-    <numerusform>{n:,} imágenes dejadas: {why}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>buscando pintura a lo largo del seguimiento</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>no se aceptó ninguna imagen: {why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aceptar el seguimiento</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>retirar el seguimiento</translation>
-  </message>
-  <message>
-   <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>no se aceptó nada que pudiera retirarse</translation>
-  </message>
-  <message>
-   <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>retirado: ninguna imagen está aceptada</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen seguida, {doubtful:,} dudosas (Alt+Av Pág); Ctrl+Mayús+Intro acepta las seguras</numerusform>
-    <numerusform>{n:,} imágenes seguidas, {doubtful:,} dudosas (Alt+Av Pág); Ctrl+Mayús+Intro acepta las seguras</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>siguiendo: {done} de {total} imágenes  ·  T lo detiene</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen seguida, segura; Ctrl+Mayús+Intro acepta las seguras</numerusform>
-    <numerusform>{n:,} imágenes seguidas, todas seguras; Ctrl+Mayús+Intro acepta las seguras</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>buscando los extremos del plano …  T lo detiene</translation>
-  </message>
-  <message>
-   <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>no se pudo seguir el plano: {why}</translation>
-  </message>
-  <message>
-   <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>solo se puede seguir un vídeo, o imágenes que van seguidas</translation>
-  </message>
-  <message>
-   <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>modo ciego: no se sigue ningún plano, se verían sus cámaras</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>ninguna imagen del plano tiene una cámara segura: anote una y sígalo después</translation>
-  </message>
-  <message>
-   <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>detenido; lo seguido hasta ahora queda</translation>
-  </message>
-  <message>
-   <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>detenido; no se siguió nada</translation>
-  </message>
-  <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>ninguna imagen después de esta está anotada</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>ninguna imagen después de esta es dudosa</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>ninguna imagen antes de esta es dudosa</translation>
-  </message>
-  <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>modo ciego: cómo va el seguimiento está oculto</translation>
-  </message>
-  <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>aún no se siguió ningún plano (T)</translation>
-  </message>
-  <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>estas imágenes no van seguidas</translation>
-  </message>
-  <message>
-   <source>Jaccard index of this frame at tau</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Índice de Jaccard de esta imagen con tau</translation>
-  </message>
-  <message>
-   <source>The camera set that is judged (C switches)</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>El conjunto de cámaras que se juzga (C cambia)</translation>
-  </message>
-  <message>
-   <source>What the score is computed with: {terms}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Con qué se calcula la puntuación: {terms}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; del ajuste</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;ciego&lt;/b&gt;: entregar para ver el JaC</translation>
-  </message>
-  <message>
-   <source>Three steps to a frame</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Una imagen en tres pasos</translation>
-  </message>
-  <message>
-   <source>Click the two ends of a painted line, then Enter</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Marcar los dos extremos de una línea pintada y luego Intro</translation>
-  </message>
-  <message>
-   <source>{keys}: points along every line, on its paint</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}: puntos a lo largo de cada línea, sobre su pintura</translation>
-  </message>
-  <message>
-   <source>{keys}, then Enter: take what the camera expects</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys} y luego Intro: tomar lo que espera la cámara</translation>
-  </message>
-  <message>
-   <source>Put the three steps away for ever (Help has the user guide)</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Quitar los tres pasos para siempre (la guía está en Ayuda)</translation>
-  </message>
-  <message>
-   <source>Put the three steps away</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Quitar los tres pasos</translation>
-  </message>
-  <message>
-   <source>{step}, done</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{step}, hecho</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title}, sin confirmar</translation>
   </message>
   <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
@@ -6767,9 +6349,29 @@ Pierde {loses}.</translation>
    <translation>Intro lo ejecuta · ↑ ↓ eligen · Esc cierra</translation>
   </message>
   <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Panel</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ajuste</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Abrir</translation>
+  </message>
+  <message>
    <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Nada se llama «{text}».</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Imagen {number} de {count}</translation>
   </message>
   <message>
    <source>An action, element, frame, camera source, folder, number</source>
@@ -6785,6 +6387,51 @@ Pierde {loses}.</translation>
    <source>What fits</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Lo que encaja</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ir a esta imagen</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juzgar {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juzgar con esta fuente</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ajuste continuo: modelo {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ajustar este modelo a los clics; auto toma el más sencillo que permiten</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Panel {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Abrir este panel y traerlo al frente</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Umbral {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juzgar los elementos con este tau</translation>
   </message>
   <message>
    <source>on</source>
@@ -6829,139 +6476,6 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>cargue un segundo conjunto de cámaras para comparar (Ctrl+L)</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Fantasma de {title}</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Aceptar</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Mirar de cerca</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
-   <translation>No visible aquí</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Dibujando {title}</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Dividir aquí: el resto pasa a ser</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>No visible aquí: retirar</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Cambiar la clase a (intercambia con una anotada)</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Punto {number} de {title}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Unir con</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title}, sin confirmar</translation>
-  </message>
-  <message>
-   <source>Annotate</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Anotar</translation>
-  </message>
-  <message>
-   <source>Judge</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Juzgar</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Revisar</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Puestos de trabajo</translation>
-  </message>
-  <message>
-   <source>Scores</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Puntuación</translation>
-  </message>
-  <message>
-   <source>Fit</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Ajuste</translation>
-  </message>
-  <message>
-   <source>Check</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Comprobación</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
-   <translation>Gráficos</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Revisión</translation>
-  </message>
-  <message>
-   <source>Agreement</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Concordancia</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>Abrir los gráficos bajo la imagen</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>Cerrar los gráficos</translation>
-  </message>
-  <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>error inesperado ({what}); se sigue guardando, los detalles están en {path}</translation>
-  </message>
-  <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>los detalles están copiados; también están en {path}</translation>
-  </message>
-  <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>no hubo ningún error inesperado; se registran en {path}</translation>
-  </message>
-  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>Buscar palabras en esta página</translation>
@@ -6982,133 +6496,128 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Títulos</translation>
   </message>
   <message>
-   <source>{one} or {other}</source>
-   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
-   <translation>{one} o {other}</translation>
-  </message>
-  <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>En la imagen</translation>
-  </message>
-  <message>
-   <source>Keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
-   <translation>Teclas</translation>
-  </message>
-  <message>
-   <source>Search: a word, or a key. A click does what a row says.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Búsqueda: una palabra o una tecla. Un clic hace lo que dice la fila.</translation>
-  </message>
-  <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Buscar en las teclas</translation>
-  </message>
-  <message>
-   <source>Actions and their keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Acciones y sus teclas</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Ninguna tecla, acción ni elemento tiene «{text}».</translation>
-  </message>
-  <message>
-   <source>Choose an element</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Elegir un elemento</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas propias</translation>
   </message>
   <message>
    <source>Keys (*.json)</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas (*.json)</translation>
   </message>
   <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>En la imagen</translation>
+  </message>
+  <message>
    <source>{menu}: {action}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}: {action}</translation>
   </message>
   <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Búsqueda: una palabra o una tecla. Un clic hace lo que dice la fila.</translation>
+  </message>
+  <message>
    <source>Search: a word, or a key</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Búsqueda: una palabra o una tecla</translation>
   </message>
   <message>
    <source>Choose a row, then press its keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Elija una fila y pulse sus teclas</translation>
   </message>
   <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>{one} o {other}</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, the action keys]</extracomment>
+   <translation>Teclas</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Buscar en las teclas</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Ninguna tecla, acción ni elemento tiene «{text}».</translation>
+  </message>
+  <message>
    <source>Change keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Cambiar teclas</translation>
   </message>
   <message>
    <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Búsqueda</translation>
   </message>
   <message>
    <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Todas las teclas a la vez</translation>
   </message>
   <message>
    <source>Only these</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Solo estas</translation>
   </message>
   <message>
    <source>No keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Ninguna tecla</translation>
   </message>
   <message>
    <source>Usual keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas habituales</translation>
   </message>
   <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Importar…</translation>
+  </message>
+  <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ Las teclas que llaman a dos acciones no llaman a ninguna: dé otras a una de ellas.</translation>
   </message>
   <message>
    <source>Export keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Exportar teclas</translation>
   </message>
   <message>
    <source>Import keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Importar teclas</translation>
   </message>
   <message>
    <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ también: {what}</translation>
   </message>
   <message>
    <source>New keys: press them here</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas nuevas: púlselas aquí</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>{file}: {error}; las teclas quedan como están</translation>
   </message>
   <message>
    <source>Action or element</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Acción o elemento</translation>
   </message>
   <message>
@@ -7117,104 +6626,24 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>{action}: {step}</translation>
   </message>
   <message>
-   <source>Panel</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Panel</translation>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>error inesperado ({what}); se sigue guardando, los detalles están en {path}</translation>
   </message>
   <message>
-   <source>Setting</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajuste</translation>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>los detalles están copiados; también están en {path}</translation>
   </message>
   <message>
-   <source>Open</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Abrir</translation>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>no hubo ningún error inesperado; se registran en {path}</translation>
   </message>
   <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Imagen {number} de {count}</translation>
-  </message>
-  <message>
-   <source>Go to this frame</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ir a esta imagen</translation>
-  </message>
-  <message>
-   <source>Judge {source}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Juzgar {source}</translation>
-  </message>
-  <message>
-   <source>Judge with this source</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Juzgar con esta fuente</translation>
-  </message>
-  <message>
-   <source>Live fit: model {model}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajuste continuo: modelo {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajustar este modelo a los clics; auto toma el más sencillo que permiten</translation>
-  </message>
-  <message>
-   <source>Panel {title}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Panel {title}</translation>
-  </message>
-  <message>
-   <source>Open this panel and bring it to the front</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Abrir este panel y traerlo al frente</translation>
-  </message>
-  <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Umbral {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Juzgar los elementos con este tau</translation>
-  </message>
-  <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Barra de herramientas</translation>
-  </message>
-  <message>
-   <source>Picture
-Brightness, contrast, gamma, line enhance: only what you see changes</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Imagen
-Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</translation>
-  </message>
-  <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>guardado {time}</translation>
-  </message>
-  <message numerus="yes">
-   <source>NOT SAVED: {n} frames</source>
-   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>
-    <numerusform>SIN GUARDAR: {n} imagen</numerusform>
-    <numerusform>SIN GUARDAR: {n} imágenes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>saving...</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>guardando...</translation>
-  </message>
-  <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>sin cambios</translation>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>no editable: la barra sobre la imagen dice por qué</translation>
   </message>
   <message>
    <source>Search the settings</source>
@@ -7282,43 +6711,73 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>scoring {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>puntuando {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Camera &gt; Stop scoring the set ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Cámara &gt; Detener la puntuación del conjunto lo termina</translation>
   </message>
   <message>
    <source>comparing {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>comparando {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>ghosts {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>fantasmas {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Esc ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Esc lo termina</translation>
   </message>
   <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Barra de herramientas</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Imagen
+Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Índice de Jaccard de esta imagen con tau</translation>
+  </message>
+  <message>
    <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Umbral tau: un elemento pasa si todos sus puntos están más cerca (+ y -)</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
-   <translation>Umbral tau</translation>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>guardado {time}</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
-   <translation>no editable: la barra sobre la imagen dice por qué</translation>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>El conjunto de cámaras que se juzga (C cambia)</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Con qué se calcula la puntuación: {terms}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>
+    <numerusform>SIN GUARDAR: {n} imagen</numerusform>
+    <numerusform>SIN GUARDAR: {n} imágenes</numerusform>
+   </translation>
   </message>
   <message>
    <source>Top bar</source>
@@ -7339,6 +6798,36 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Clic para elegir otro</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Umbral tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; del ajuste</translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>guardando...</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;ciego&lt;/b&gt;: entregar para ver el JaC</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>sin cambios</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -7386,9 +6875,67 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Aún no se ha abierto nada</translation>
   </message>
   <message>
-   <source>unexpected error ({what})</source>
-   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>error inesperado ({what})</translation>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Puntuación</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Ajuste</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Comprobación</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py, the action plots]</extracomment>
+   <translation>Gráficos</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Revisión</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Concordancia</translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Anotar</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Juzgar</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Revisar</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Abrir los gráficos bajo la imagen</translation>
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Cerrar los gráficos</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Puestos de trabajo</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -8695,16 +8242,6 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Ver todas las versiones guardadas de esta imagen y recuperar una</translation>
   </message>
   <message>
-   <source>Overview of the set…</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>Resumen del conjunto…</translation>
-  </message>
-  <message>
-   <source>Counts per status and class, progress, time per frame</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>Recuentos por estado y clase, avance, tiempo por imagen</translation>
-  </message>
-  <message>
    <source>Group views…</source>
    <extracomment>[the action group_views]</extracomment>
    <translation>Agrupar vistas…</translation>
@@ -9148,6 +8685,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>Los colores dicen cómo se juzga la cámara</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
+   <translation>Clase</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>

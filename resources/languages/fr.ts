@@ -772,7 +772,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
    <translation>annulé</translation>
   </message>
   <message>
@@ -827,7 +827,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>Image</translation>
   </message>
   <message>
@@ -837,12 +837,12 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
    <translation>Affichage</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/command_palette.py, the menus]</extracomment>
    <translation>Caméra</translation>
   </message>
   <message>
@@ -851,9 +851,2505 @@
    <translation>Aide</translation>
   </message>
   <message>
-   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
-   <extracomment>[procc_annotator/gui/decimal_box.py]</extracomment>
-   <translation>pas {number:g} : de {least:g} à {most:g}{unit}</translation>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/canvas/annotation_preview.py]</extracomment>
+   <translation>L’image ne peut être montrée</translation>
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>aucune caméra à faire glisser n’est connue ici</translation>
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>annulé : la caméra est comme avant le glissement</translation>
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>mode aveugle : aucune caméra n’est montrée</translation>
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>les superpositions sont cachées (Ctrl+H)</translation>
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>une homographie ne peut être tournée : choisissez un autre modèle (panneau Ajustement)</translation>
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>relâcher la laisse ici</translation>
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Échap la remet en place</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>{n} piquet tient la caméra</numerusform>
+    <numerusform>{n} piquets tiennent la caméra</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>CAMÉRA</translation>
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>piquet retiré : il reste {n} piquet</numerusform>
+    <numerusform>piquet retiré : il reste {n} piquets</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>piquet retiré : la caméra est comme elle a été trouvée</translation>
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>piquet</translation>
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>pressez sur une ligne du fil de fer</translation>
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>glisser déplace ce piquet</translation>
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>un clic le retire</translation>
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>glissez un endroit du fil de fer à sa place</translation>
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>glissez {title} à sa place : la caméra suit</translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Ctrl+Z l’annule</translation>
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>DÉPLACER</translation>
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>glisser déplace l’image</translation>
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>clic et Entrée ne font rien</translation>
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>Échap reprend l’outil</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Image</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>chargez un second jeu de caméras pour alterner entre deux (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>réticule : les flèches le déplacent (Maj 0.1 px, Ctrl 10 px, Ctrl+Maj 100 px), Espace clique, Échap le range</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>pointez d’abord une ligne : avec la souris ou avec les flèches</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>il n’y a pas de ligne ici où mettre un point</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>caméra illisible</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>pas de caméra ici</translation>
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Luminosité</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Contraste</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Rehausser les lignes</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Faire ressortir les lignes usées ou dans l’ombre</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Réinitialiser</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Montrer l’image telle qu’elle est</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Seul ce que vous voyez change, jamais le fichier</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Décaler toutes les valeurs</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Étirer les valeurs autour du gris moyen</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>Vers la droite, les parties sombres s’éclaircissent</translation>
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>suivant : {title}</translation>
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
+   <translation>{title}  ±{sd:.1f} px  incertain</translation>
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
+  </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>1 clic de {title} sur {frame} est conservé, non confirmé : y choisir l’élément pour continuer</translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} terminé avec {n} point sur {frame}</numerusform>
+    <numerusform>{title} terminé avec {n} points sur {frame}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>choisissez d’abord l’élément à supprimer : plan du terrain, liste ou touche</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{n} point de {title} abandonné</numerusform>
+    <numerusform>{n} points de {title} abandonnés</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} terminé avec {n} point</numerusform>
+    <numerusform>{title} terminé avec {n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{titles} : changé ailleurs, regardez d’abord</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Ce que vaut la caméra ajustée</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>mètres au sol, 1 σ</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>Ce que vaut la caméra ajustée ({model})</translation>
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m, exigés de la technologie du hors-jeu</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>mètres au sol, 1 σ, médiane {median:.2f}</translation>
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>mètres au sol</translation>
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m : {percent:.0f} % du terrain en vue</translation>
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Aveugle : aucune caméra n’est montrée avant Ctrl+Entrée</translation>
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Mode aveugle, cette image est remise</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>
+    <numerusform>{n} piquet</numerusform>
+    <numerusform>{n} piquets</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra glissée, {pegs}, précisée sur la peinture : {share:.0%} de ses lignes</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra glissée, {pegs}, non précisée : {why}</translation>
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Glisser déplace la séparation (les flèches aussi)</translation>
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Séparation de la vue partagée</translation>
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra trouvée, incertaine : {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra glissée, {pegs}</translation>
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra du suivi : Maj+Entrée accepte ses éléments</translation>
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Recherche de la caméra dans l’image …</translation>
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Aucune caméra trouvée : {why}</translation>
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra trouvée, sûre : {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra glissée, {pegs} : ses lignes sont recherchées …</translation>
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra du suivi, incertaine : {why}</translation>
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>rien n’a changé : déjà régulier, ou aucune ligne peinte n’y a été trouvée</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} copié de {frame}, le long du suivi ; Maj+V confirme tout</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} copié de {frame}, déplacé avec la caméra ; Maj+V confirme tout</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what} copié de {frame}, tel quel : aucun mouvement trouvé ; Maj+V confirme tout</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>annulé : rien n’est régularisé</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>annulé : rien n’est copié</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>l’image a été quittée : rien n’a été régularisé</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>l’image a été quittée : rien n’a été copié</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{n} point non confirmé par la peinture</numerusform>
+    <numerusform>{n} points non confirmés par la peinture</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>régulariser {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>copier de {frame}</translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>choisissez d’abord un élément annoté</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément</numerusform>
+    <numerusform>{n} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} régularisé : {n} point</numerusform>
+    <numerusform>{what} régularisé : {n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{element} a des coins ou n’est qu’un seul lieu : il reste tel quel</translation>
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>aucun élément du terrain n’est annoté ici</translation>
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>aucune image avant celle-ci n’est annotée</translation>
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} n’a aucun élément qui manque ici</translation>
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} devient {other}</translation>
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>échanger {element} et {other}</translation>
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>dupliquer {element} en {other}</translation>
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>fusionner {element} dans {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>fermer les écarts</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmer {n} élément</numerusform>
+    <numerusform>confirmer {n} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>écarter {n} élément non confirmé</numerusform>
+    <numerusform>écarter {n} éléments non confirmés</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Nom de la ligne</translation>
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>Quelle est cette ligne ?</translation>
+  </message>
+  <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} est une courbe, que deux points ne montrent pas : continuer à cliquer</translation>
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} est sa propre classe symétrique</translation>
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{elements} est déjà annoté</numerusform>
+    <numerusform>{elements} sont déjà annotés</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} est là où est {other} : glissez-le à sa place</translation>
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>inverser {element}</translation>
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>choisissez d’abord le point où couper (mode édition)</translation>
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>couper {element}</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément confirmé</numerusform>
+    <numerusform>{n} éléments confirmés</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>rien n’est à confirmer sur cette image</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} est déjà annoté</translation>
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>aucun bout n’est si près d’un coin ou du bord de l’image</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément non confirmé écarté</numerusform>
+    <numerusform>{n} éléments non confirmés écartés</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>La laisser sans nom</translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>un élément se coupe à un point entre ses bouts, vers une classe libre</translation>
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} a été changé ailleurs : regardez-le à nouveau</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} point</numerusform>
+    <numerusform>{n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>la caméra est une autre entre-temps</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>accepter {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} fantôme</numerusform>
+    <numerusform>{n} fantômes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{n} fantômes sur {total}</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} accepté</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>l’image a été modifiée entre-temps</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>la recherche de la ligne sur {frame} a pris trop de temps</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} n’est pas accepté : {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Accepter tous les fantômes</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} accepté sur {frame}</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté : {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} n’est pas accepté</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} est accepté dès que ses points sont trouvés</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>allez d’abord à un fantôme (Tab) ou choisissez un élément</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>ouvrez d’abord un dossier d’images</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes en mode aveugle, jusqu’à la remise de l’image (Ctrl+Entrée)</translation>
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : l’ajustement continu est désactivé (Ctrl+T)</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>terminez d’abord ce qui est dessiné (Entrée), ou abandonnez-le (Échap)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>aucune caméra ne s’ajuste encore</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>il est dessiné à la main</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} n’est pas visible ici ; Ctrl+. l’annule</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} est peut-être de nouveau visible ici</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>aucun élément de cette image n’a été dit non visible</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>c’était le dernier fantôme</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>allez d’abord à un fantôme (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{off} ; choisissez d’abord un élément</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Garder le terrain, et ne plus parler de ces classes</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Le jeu de données s’en souvient et n’est plus interrogé</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Non, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Le terrain de ce jeu de données</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Descriptions de terrains (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{why}, mais {file} dans le dossier du jeu décide</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Oui, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>Passer à {field}</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Seules la longueur et la largeur se trouvent d’après les images, et les règles fixent celles de ce terrain</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>là où les règles mesurent</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>le milieu de la peinture</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
+    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Dimensions du terrain : {field}</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Estimer d’après ce jeu</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Garder pour ce jeu de données</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Nominales</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Le terrain tel que le prennent les évaluations officielles</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>nominal {nominal:g} m, les règles permettent de {minimum:g} à {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} image</numerusform>
+    <numerusform>{n} images</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} stade</numerusform>
+    <numerusform>{n} stades</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Les clics sont sur :</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Arrêter</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>les règles fixent toutes les dimensions du terrain {field}</translation>
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Ce qu’il dit maintenant est perdu, avec tout ce qui y est écrit.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Instant</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image</numerusform>
+    <numerusform>{n:,} images</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} groupe de {least} à {most}</numerusform>
+    <numerusform>{frames} en {n:,} groupes de {least} à {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} de {n:,} instant</numerusform>
+    <numerusform>{frames} de {n:,} instants</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image, non groupée.</numerusform>
+    <numerusform>{n:,} images, aucune groupée.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} groupe</numerusform>
+    <numerusform>{frames} en {n:,} groupes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Groupes d’images</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} existe déjà : {sizes}.</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} groupe désormais {sizes}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} instant avec une seule image</numerusform>
+    <numerusform>{n:,} instants avec une seule image</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} nom ne convient pas (à la fin de la table)</numerusform>
+    <numerusform>{n:,} noms ne conviennent pas (à la fin de la table)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Grouper les vues</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Motif des noms d’images</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Écrire {file}</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>Garder ces groupes dans le dossier du jeu</translation>
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>? (reste telle quelle, une classe inconnue)</translation>
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>Laisser de côté</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Étiquette</translation>
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Formes</translation>
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Signifie</translation>
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Pourquoi</translation>
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>sûr</translation>
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>probable</translation>
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>à dire</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>
+    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
+    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ces noms ressemblent plus à ceux de {field} : choisissez d’abord ce terrain (Fichier &gt; Terrain).</translation>
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Noms d’un autre programme</translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Garder ces noms avec le jeu de données ({file})</translation>
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importer</translation>
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ce que signifie {label}</translation>
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ce qui en est sorti</translation>
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importer des annotations</translation>
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Annotations à importer</translation>
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Regarder dans les fichiers</translation>
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Seulement les images où rien n’est encore annoté</translation>
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Remplacer aussi ce qui est annoté dans les autres</translation>
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ce qui y était reste parmi les versions antérieures de l’image, et annuler le ramène</translation>
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Annotations</translation>
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Format</translation>
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Importer dans</translation>
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Les images sont appariées par le nom de leur fichier.</translation>
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Annotations (*.json *.xml *.zip);;Tous les fichiers (*)</translation>
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Exporter sous</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Exporter…</translation>
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Une archive zip au lieu d’un dossier</translation>
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Remplacer les fichiers existants</translation>
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Garder les éléments pour lesquels SoccerNet n’a pas de classe</translation>
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Largeur des lignes</translation>
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Copier aussi les images</translation>
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Exporter dans un dossier</translation>
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Garde {holds}.
+Perd {loses}.</translation>
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Ajouter ces noms à {file} du jeu, réécrit</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <translation>Abandonner</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Fermer</translation>
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Un dossier, une archive zip ou un seul fichier</translation>
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Fichier…</translation>
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Dossier…</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Archive zip (*.zip)</translation>
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frames}, {elements} et {points} écrits dans {path} ({format}).</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} annotation</numerusform>
+    <numerusform>{n:,} annotations</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>JaC de {n:,} image</numerusform>
+    <numerusform>JaC de {n:,} images</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Tout n’a pas pu être enregistré : ce qui est sur le disque vaut.</translation>
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>l’ajustement de {frame} est enregistré comme {path}</translation>
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{source} est fait des clics d’après lesquels il serait noté : jugez les caméras à noter (procc-annotator calibrate ajuste et note un jeu)</translation>
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{annotations} et {scores}</translation>
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>rien : aucune image n’est annotée</translation>
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>export : annulé ; les fichiers déjà écrits sont encore là</translation>
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} élément</numerusform>
+    <numerusform>{n:,} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} point</numerusform>
+    <numerusform>{n:,} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>l’ajustement continu est désactivé (Ctrl+T)</translation>
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>aveugle : l’ajustement est caché jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>pas de caméra à enregistrer : {why}</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Archive zip (*.zip);;Dossier (*)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Table (*.csv);;JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Exporter la vue d’ensemble</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image exportée vers {path}</numerusform>
+    <numerusform>{n:,} images exportées vers {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>le jeu était encore en cours de notation : des images n’ont pas encore de JaC</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>aveugle : aucune image n’est encore remise, donc pas de JaC à montrer</translation>
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{what} exporté vers {path}</translation>
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Annulé ; les fichiers déjà écrits sont encore là.</translation>
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Non écrits</translation>
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Ce que le format ne peut pas contenir</translation>
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>l’ajustement est en cours de recalcul : enregistrez-le dans un instant</translation>
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame} : l’image est illisible, si bien que les pixels de la caméra n’ont pas de taille ; non enregistré</translation>
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>enregistré comme {path}, mais les caméras chargées n’ont pu être relues : {problem}</translation>
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{saved} ; il est à peine déterminé : {why}</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>tout n’a pas pu être enregistré : l’export a le dernier état enregistré</translation>
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>le mode aveugle laisse de côté {n:,} image pas encore remise</numerusform>
+    <numerusform>le mode aveugle laisse de côté {n:,} images pas encore remises</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} fichier illisible : {problem}</numerusform>
+    <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Table (*.csv)</translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Exporter</translation>
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>export {done} / {total}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} sur {n:,} image importée ({format}).</numerusform>
+    <numerusform>{edited} sur {n:,} images importées ({format}).</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>Annulé : {n:,} image n’a pas été regardée.</numerusform>
+    <numerusform>Annulé : {n:,} images n’ont pas été regardées.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image est déjà annotée et reste inchangée.</numerusform>
+    <numerusform>{n:,} images sont déjà annotées et restent inchangées.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image contient déjà la même chose.</numerusform>
+    <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>importer</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} sur {n:,} image importée</numerusform>
+    <numerusform>{edited} sur {n:,} images importées</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Annulé ; rien n’a été importé.</translation>
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Laissées telles quelles</translation>
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Illisibles</translation>
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Sans image ici ({n})</translation>
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>Changées ou laissées de côté</translation>
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>elle n’a pas pu être enregistrée : {why}</translation>
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Images</translation>
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Vidéos</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>l’exemple vient avec le code source, pas ici</translation>
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Charger un dossier de caméras</translation>
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Charger des caméras</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Caméras</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Ouvrir un dossier d’images</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Ouvrir une image</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Ouvrir une vidéo</translation>
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>Ouvrir le dossier d’un second annotateur</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, sans la légende</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>PNG : pixels, rien n’est perdu</translation>
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>JPEG : pixels, petit</translation>
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>SVG : lignes et texte restent nets</translation>
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Image (*{suffix})</translation>
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Enregistrer l’image superposée</translation>
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Expliquer couleurs, tirets et marques sous l’image</translation>
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Type</translation>
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Échelle</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>Résultat</translation>
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Légende</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>écriture de l’image superposée {path} …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>ouvrez d’abord une image</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>image superposée écrite dans {path}</translation>
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Une image toutes les</translation>
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>La première image de chaque scène</translation>
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
+  </message>
+  <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>Terrain</translation>
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Lecture de {file}</translation>
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Recherche de coupes dans {file}</translation>
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>cette image est déjà un fichier</translation>
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>gardée comme {path}</translation>
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>pas encore de JaC : chargez d’abord des caméras</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>aucune autre image n’est rejetée</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{frame} est {status}</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>aucune image notée où aller</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>comparaison de {source} et {other} sur le jeu</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>toutes les images après celle-ci sont terminées ou approuvées</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>toutes les images avant celle-ci sont terminées ou approuvées</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} et {other} ne peuvent être comparées au sol sur aucune image</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>comparaison des sources arrêtée</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>c’est la pire ; une fois de plus continue</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>aucune autre image n’est notée</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>à partir de la pire à nouveau</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>deux sources sont déjà en cours de comparaison</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} et {other} sont comparées</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>erreur</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>avertissement</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>remarque</translation>
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>constat {place} sur {total}, {severity} : {elements}</translation>
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>aucun constat n’est aussi sûr que le panneau Vérification le demande</translation>
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément renommé</numerusform>
+    <numerusform>{n} éléments renommés</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image vérifiée, modèle de caméra {model} : {found}</numerusform>
+    <numerusform>{n:,} images vérifiées, modèle de caméra {model} : {found}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image vérifiée</numerusform>
+    <numerusform>{n:,} images vérifiées</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} et {other}</translation>
+  </message>
+  <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la vérification des classes examine encore cette image</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{done} ; Ctrl+Z l’annule</translation>
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>point {n} de {element} retiré</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} et {other} échangés</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} renommé en {other}</translation>
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image ne peut être vérifiée</numerusform>
+    <numerusform>{n:,} images ne peuvent être vérifiées</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>Exporter les constats</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} constat de {frames} exporté vers {path}</numerusform>
+    <numerusform>{n:,} constats de {frames} exportés vers {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la vérification des classes n’a rien trouvé</translation>
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>point de {element} retiré</translation>
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>allez d’abord à un constat (F10)</translation>
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>la vérification des classes n’a rien trouvé sur cette image</translation>
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>rien trouvé</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>aucun remède connu : {reason}</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Lever le mode aveugle montre caméras, fantômes et ajustement à tous ceux qui annotent ce jeu. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Lever le mode aveugle vous montre caméras, fantômes et ajustement ; pour les autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>le mode aveugle laisse de côté {n} sur des images non remises</translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Lever le mode aveugle</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Lever, et le consigner</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Le laisser imposé</translation>
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{frame} : plus de verdict sur {source}</translation>
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Note sur le verdict</translation>
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Ce qui est faux ici :</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>Exporter les verdicts</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>aveugle : aucune image remise n’a de verdict</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} verdict exporté vers {path}</numerusform>
+    <numerusform>{n:,} verdicts exportés vers {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>un verdict porte sur une image et une caméra : chargez d’abord des caméras</translation>
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Il n’y a pas de version antérieure de cette image.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>illisible</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>vide</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>comme maintenant</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>autres éléments</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>points déplacés</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>C’est ce que l’image contient maintenant.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>restaurer une version antérieure</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Versions antérieures</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>Restaurer</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>%d/%m/%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>{n} de plus</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>la version antérieure est de retour ; ce qui était illisible reste comme version</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>elle est annotée entre-temps</translation>
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>elle a été modifiée depuis</translation>
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image acceptée le long du suivi</numerusform>
+    <numerusform>{n:,} images acceptées le long du suivi</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Ctrl+Z les annule</translation>
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>annulé : {n:,} image acceptée le long du suivi</numerusform>
+    <numerusform>annulé : {n:,} images acceptées le long du suivi</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image laissée : {why}</numerusform>
+    <numerusform>{n:,} images laissées : {why}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>recherche de peinture le long du suivi</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>aucune image acceptée : {why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>accepter le suivi</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>revenir sur le suivi</translation>
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>rien n’a été accepté qui puisse être annulé</translation>
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>annulé : aucune image n’est acceptée</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image suivie, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} images suivies, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>suivi : {done} images sur {total}  ·  T arrête</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image suivie, sûre ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} images suivies, toutes sûres ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>recherche des bouts du plan …  T arrête</translation>
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>le plan n’a pu être suivi : {why}</translation>
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>seule une vidéo, ou des images qui se suivent, peut être suivie</translation>
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>arrêté ; ce qui est suivi jusqu’ici reste</translation>
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>arrêté ; rien n’a été suivi</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>aucune image après celle-ci n’est annotée</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>aucune image après celle-ci n’est douteuse</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>aucune image avant celle-ci n’est douteuse</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>aucun plan n’a encore été suivi (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>ces images ne se suivent pas</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -884,281 +3380,6 @@
    <translation>aucune</translation>
   </message>
   <message>
-   <source>Wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Molette</translation>
-  </message>
-  <message>
-   <source>zoom at the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>zoom au curseur</translation>
-  </message>
-  <message>
-   <source>Two fingers</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Deux doigts</translation>
-  </message>
-  <message>
-   <source>pan; pinched, zoom</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>déplacer ; pincés, zoom</translation>
-  </message>
-  <message>
-   <source>Shift + wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Maj + molette</translation>
-  </message>
-  <message>
-   <source>pan sideways, as a tilted wheel does</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>déplacer de côté, comme une molette inclinée</translation>
-  </message>
-  <message>
-   <source>Space + drag</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Espace + glisser</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>déplacer</translation>
-  </message>
-  <message>
-   <source>Middle button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bouton du milieu</translation>
-  </message>
-  <message>
-   <source>Hold X</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Tenir X</translation>
-  </message>
-  <message>
-   <source>hide all overlays</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>cacher toutes les superpositions</translation>
-  </message>
-  <message>
-   <source>Hold Z</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Tenir Z</translation>
-  </message>
-  <message>
-   <source>loupe: eight times the picture's pixels</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>loupe : huit fois les pixels de l’image</translation>
-  </message>
-  <message>
-   <source>Hold ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Tenir ,</translation>
-  </message>
-  <message>
-   <source>look at the compared camera source</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>regarder la source de caméras comparée</translation>
-  </message>
-  <message>
-   <source>Tap ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Taper ,</translation>
-  </message>
-  <message>
-   <source>judge with the compared source, compare with this one</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>juger avec la source comparée, comparer avec celle-ci</translation>
-  </message>
-  <message>
-   <source>Hold Ctrl</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Tenir Ctrl</translation>
-  </message>
-  <message>
-   <source>click beside the line: no snapping</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>cliquer à côté de la ligne : sans aimant</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + glisser une ligne</translation>
-  </message>
-  <message>
-   <source>camera: it follows, the place stays as a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>caméra : elle suit, l’endroit reste comme piquet</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + click a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + cliquer un piquet</translation>
-  </message>
-  <message>
-   <source>camera: take the peg away</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>caméra : retirer le piquet</translation>
-  </message>
-  <message>
-   <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flèches</translation>
-  </message>
-  <message>
-   <source>crosshair: the keys point; chosen points are moved instead</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>réticule : les touches pointent ; les points choisis sont plutôt déplacés</translation>
-  </message>
-  <message>
-   <source>Space at the crosshair</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Espace au réticule</translation>
-  </message>
-  <message>
-   <source>what a click does there (with Ctrl: no snapping)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ce qu’un clic y fait (avec Ctrl : sans aimant)</translation>
-  </message>
-  <message>
-   <source>Right button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Bouton droit</translation>
-  </message>
-  <message>
-   <source>menu of what is under the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>menu de ce qui est sous le curseur</translation>
-  </message>
-  <message>
-   <source>Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Entrée</translation>
-  </message>
-  <message>
-   <source>accept the current ghost</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>accepter le fantôme actuel</translation>
-  </message>
-  <message>
-   <source>Shift+Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Maj+Entrée</translation>
-  </message>
-  <message>
-   <source>accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>accepter tous les fantômes</translation>
-  </message>
-  <message>
-   <source>Click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Clic</translation>
-  </message>
-  <message>
-   <source>draw: add a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>dessin : ajouter un point</translation>
-  </message>
-  <message>
-   <source>Double-click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Double-clic</translation>
-  </message>
-  <message>
-   <source>draw: finish</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>dessin : terminer</translation>
-  </message>
-  <message>
-   <source>Drag a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Glisser un point</translation>
-  </message>
-  <message>
-   <source>edit: move it</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : le déplacer</translation>
-  </message>
-  <message>
-   <source>Shift+click a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Maj+clic sur un point</translation>
-  </message>
-  <message>
-   <source>edit: choose several</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : en choisir plusieurs</translation>
-  </message>
-  <message>
-   <source>Drag on empty ground</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Glisser sur un endroit vide</translation>
-  </message>
-  <message>
-   <source>edit: choose the points inside</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : choisir les points à l’intérieur</translation>
-  </message>
-  <message>
-   <source>Drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Glisser une ligne</translation>
-  </message>
-  <message>
-   <source>edit: move the element, unless elements are pinned</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : déplacer l’élément, sauf si les éléments sont épinglés</translation>
-  </message>
-  <message>
-   <source>Alt+click a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+clic sur une ligne</translation>
-  </message>
-  <message>
-   <source>edit: insert a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : insérer un point</translation>
-  </message>
-  <message>
-   <source>Alt+Shift+click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+Maj+clic</translation>
-  </message>
-  <message>
-   <source>edit: remove the point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : retirer le point</translation>
-  </message>
-  <message>
-   <source>Click or drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Cliquer ou glisser sur la bande</translation>
-  </message>
-  <message>
-   <source>go to a frame</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>aller à une image</translation>
-  </message>
-  <message>
-   <source>Wheel on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Molette sur la bande</translation>
-  </message>
-  <message>
-   <source>zoom; with Shift, scroll</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>zoom ; avec Maj, défiler</translation>
-  </message>
-  <message>
-   <source>Shift+drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Maj+glisser sur la bande</translation>
-  </message>
-  <message>
-   <source>mark a stretch (a double click lets go of it)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>marquer un passage (un double-clic le lâche)</translation>
-  </message>
-  <message>
    <source>what is held down in the picture</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>ce qui se tient enfoncé dans l’image</translation>
@@ -1182,6 +3403,281 @@
    <source>Like labelme</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>Comme labelme</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Molette</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>zoom au curseur</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Deux doigts</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>déplacer ; pincés, zoom</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Maj + molette</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>déplacer de côté, comme une molette inclinée</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Espace + glisser</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>déplacer</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bouton du milieu</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Tenir X</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>cacher toutes les superpositions</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Tenir Z</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>loupe : huit fois les pixels de l’image</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Tenir ,</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>regarder la source de caméras comparée</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Taper ,</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>juger avec la source comparée, comparer avec celle-ci</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Tenir Ctrl</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>cliquer à côté de la ligne : sans aimant</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + glisser une ligne</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>caméra : elle suit, l’endroit reste comme piquet</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + cliquer un piquet</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>caméra : retirer le piquet</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flèches</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>réticule : les touches pointent ; les points choisis sont plutôt déplacés</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Espace au réticule</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ce qu’un clic y fait (avec Ctrl : sans aimant)</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Bouton droit</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>menu de ce qui est sous le curseur</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Entrée</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>accepter le fantôme actuel</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Maj+Entrée</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>accepter tous les fantômes</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Clic</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>dessin : ajouter un point</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Double-clic</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>dessin : terminer</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Glisser un point</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>édition : le déplacer</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Maj+clic sur un point</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>édition : en choisir plusieurs</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Glisser sur un endroit vide</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>édition : choisir les points à l’intérieur</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Glisser une ligne</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>édition : déplacer l’élément, sauf si les éléments sont épinglés</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+clic sur une ligne</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>édition : insérer un point</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+Maj+clic</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>édition : retirer le point</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Cliquer ou glisser sur la bande</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>aller à une image</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Molette sur la bande</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>zoom ; avec Maj, défiler</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Maj+glisser sur la bande</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>marquer un passage (un double-clic le lâche)</translation>
   </message>
   <message>
    <source>expected an object with "actions" and "elements"</source>
@@ -1230,7 +3726,7 @@
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{text}.</translation>
   </message>
   <message>
@@ -1372,12 +3868,12 @@
   </message>
   <message>
    <source>Median</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Médiane</translation>
   </message>
   <message>
    <source>Points</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Points</translation>
   </message>
   <message>
@@ -1387,7 +3883,7 @@
   </message>
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
   </message>
   <message>
@@ -1445,232 +3941,299 @@
    </translation>
   </message>
   <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Source à laquelle comparer</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Comparer à</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>min</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>médiane</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>max</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Entre les deux points du sol que désigne un pixel</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>D’un pixel à l’endroit où la caméra comparée montre son point du sol</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>au sol, m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>dans l’image, px</translation>
-  </message>
-  <message>
    <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
    <translation>soccernet (officiel)</translation>
   </message>
   <message>
    <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>procc (article)</translation>
   </message>
   <message>
    <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>compter comme manqués</translation>
   </message>
   <message>
    <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>sont laissés de côté</translation>
   </message>
   <message>
    <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Caméras ({endings});;Tous les fichiers (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Source à laquelle comparer</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Comparer à</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
   </message>
   <message>
    <source>No cameras loaded.
 Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Aucune caméra chargée.
 Chargez un dossier de fichiers de caméra SoccerNet ou d’homographies pour les voir jugées d’après vos clics.</translation>
   </message>
   <message>
    <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Charger un dossier…</translation>
   </message>
   <message>
    <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Un dossier avec un fichier de caméra par image</translation>
   </message>
   <message>
    <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Charger un fichier…</translation>
   </message>
   <message>
    <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Une archive zip de caméras, ou la caméra d’une image</translation>
   </message>
   <message>
    <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Comment seront lus les prochains fichiers chargés</translation>
   </message>
   <message>
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>soccernet : l’évaluation officielle avec ses bizarreries
 procc : la définition de l’article, cercles fermés et courbes fines</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Une homographie ne connaît que le sol : comment comptent pour elle poteaux et barres</translation>
   </message>
   <message>
    <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Lus comme</translation>
   </message>
   <message>
    <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
    <translation>Protocole</translation>
   </message>
   <message>
    <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Hors du sol</translation>
   </message>
   <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Charger un dossier de caméras</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Charger des caméras</translation>
-  </message>
-  <message>
    <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Cette image : {notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>⚠ La caméra de cette image n’est pas utilisable : {error}</translation>
   </message>
   <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>min</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>médiane</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>max</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>Entre les deux points du sol que désigne un pixel</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>D’un pixel à l’endroit où la caméra comparée montre son point du sol</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>au sol, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>dans l’image, px</translation>
+  </message>
+  <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>Aveugle : la projection est cachée jusqu’à la remise de cette image.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Images de ce jeu de données qui ont une caméra (complétude)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Images visitées dans cette fenêtre dont les clics ont donné une caméra ; leur JaC est celui des clics qui ont servi à l’ajustement.
 procc-annotator calibrate ajuste et note tout le jeu</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Images de ce jeu de données suivies à travers leur plan et qui ont une caméra.
 procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image</numerusform>
-    <numerusform>{n:,} images</numerusform>
-   </translation>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Jaune</translation>
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Violet</translation>
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Bleu</translation>
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Menthe</translation>
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Bleu marine</translation>
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Cyan</translation>
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Désactiver l’ajustement continu (Ctrl+T le réactive)</translation>
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Retirer de la liste ; les fichiers restent</translation>
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Oublier ce qui a été suivi (T suit le plan à nouveau)</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>JaC moyen à {tau:.1f} px sur {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Illisibles (filtre camera:unreadable) : {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{matched} sur {total}, {n} illisible</numerusform>
     <numerusform>{matched} sur {total}, {n} illisibles</numerusform>
    </translation>
   </message>
   <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Nom de la source</translation>
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Tracer en fil de fer pendant qu’une autre source est jugée</translation>
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Juger {name}</translation>
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Retirer {name}</translation>
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Tracer {name}</translation>
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Couleur de {name}</translation>
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Autre…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Couleur de la source</translation>
+  </message>
+  <message>
    <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>pas de caméra</translation>
   </message>
   <message>
    <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Ne rien juger, ne tracer aucune caméra</translation>
   </message>
   <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{frames} jusqu’ici</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{mean} ; {n:,} caméra est illisible et ne participe pas</numerusform>
     <numerusform>{mean} ; {n:,} caméras sont illisibles et ne participent pas</numerusform>
@@ -1678,17 +4241,17 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model} (sol)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model} ici, plusieurs modèles</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} image suivie</numerusform>
     <numerusform>{n:,} images suivies</numerusform>
@@ -1696,7 +4259,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} image ajustée</numerusform>
     <numerusform>{n:,} images ajustées</numerusform>
@@ -1704,12 +4267,12 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{n} sur {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{names} et {n:,} de plus</numerusform>
     <numerusform>{names} et {n:,} de plus</numerusform>
@@ -1717,27 +4280,32 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>inutilisable ici : {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>pas de caméra pour cette image</translation>
   </message>
   <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>Un double-clic ou F2 lui donne un autre nom</translation>
+  </message>
+  <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Le mode aveugle cache ce que valent les sources</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>Aucune image n’a à la fois des éléments annotés et une caméra de cette source</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} caméra</numerusform>
     <numerusform>{n:,} caméras</numerusform>
@@ -1745,102 +4313,83 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>plusieurs modèles</translation>
   </message>
   <message>
-   <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Jaune</translation>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py, procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>annoté</translation>
   </message>
   <message>
-   <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Violet</translation>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>non confirmé</translation>
   </message>
   <message>
-   <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Bleu</translation>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>pas visible</translation>
   </message>
   <message>
-   <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Menthe</translation>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>suivant</translation>
   </message>
   <message>
-   <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Bleu marine</translation>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Non annoté sur cette image</translation>
   </message>
   <message>
-   <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Cyan</translation>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Annoté, mais non jugé : aucune caméra n’est montrée, ou il ne participe pas à l’évaluation</translation>
   </message>
   <message>
-   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Désactiver l’ajustement continu (Ctrl+T le réactive)</translation>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Copié ; il ne compte pas avant d’être touché ou confirmé</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Retirer de la liste ; les fichiers restent</translation>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Passe : tous ses points sont plus proches de la projection que tau</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Oublier ce qui a été suivi (T suit le plan à nouveau)</translation>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Trop loin : au moins un point est à tau ou plus (faux positif)</translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Nom de la source</translation>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>La caméra le projette, il n’est pas annoté (faux positif)</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Tracer en fil de fer pendant qu’une autre source est jugée</translation>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Annoté, la caméra ne le projette pas (faux négatif)</translation>
   </message>
   <message>
-   <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Juger {name}</translation>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>Quelqu’un a dit qu’il ne se voit pas sur cette image</translation>
   </message>
   <message>
-   <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Retirer {name}</translation>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>À annoter ensuite, comme sur le plan du terrain et dans l’image</translation>
   </message>
   <message>
-   <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Tracer {name}</translation>
-  </message>
-  <message>
-   <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Couleur de {name}</translation>
-  </message>
-  <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Autre…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Couleur de la source</translation>
-  </message>
-  <message>
-   <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Un double-clic ou F2 lui donne un autre nom</translation>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>{title} (classe inconnue)</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>Sans géométrie</translation>
   </message>
   <message>
@@ -1855,7 +4404,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Éléments</translation>
   </message>
   <message>
@@ -1890,138 +4439,57 @@ Esc clears the search.</source>
   </message>
   <message>
    <source>Status</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>État</translation>
   </message>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>L’annoter ensuite apporte le plus : la projection sera connue à {after:.1f} px au lieu de {before:.1f} px</translation>
   </message>
   <message>
    <source>Field map</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Plan du terrain</translation>
   </message>
   <message>
    <source>The arrows choose elements</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Les flèches choisissent les éléments</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Suivant : {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Cliquez un élément pour choisir sa classe</translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Constats</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Quels constats sont listés</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>Vérifier tout le jeu</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>Chercher les mauvaises classes dans toutes les images annotées</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Images vérifiées</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Arrêter</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Exporter…</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>Écrire en CSV les constats de toutes les images vérifiées</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} de plus n’est pas listé : activez les signes ci-dessus.</numerusform>
-    <numerusform>{n:,} de plus ne sont pas listés : activez les signes ci-dessus.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
-   <translation>Ne plus le montrer tant que les points de ses éléments ne changent pas</translation>
-  </message>
-  <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Cette image</translation>
-  </message>
-  <message>
-   <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Tout le jeu</translation>
-  </message>
-  <message>
-   <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>{findings} ; cliquer pour les lister ou non</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} ignoré ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
-    <numerusform>{n:,} ignorés ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>Ignorer ce constat</translation>
-  </message>
-  <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Erreur</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Avertissement</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>Remarque</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Rien trouvé sur cette image.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Rien trouvé sur {n:,} image.</numerusform>
     <numerusform>Rien trouvé sur {n:,} images.</numerusform>
@@ -2030,23 +4498,23 @@ Esc clears the search.</source>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Aucune image.
 Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Rien n’est annoté sur cette image.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Les règles qui se passent de caméra n’ont rien trouvé.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Rien trouvé hormis {n:,} constat ignoré.</numerusform>
     <numerusform>Rien trouvé hormis {n:,} constats ignorés.</numerusform>
@@ -2054,27 +4522,27 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Aveugle : les constats qui demandent une caméra attendent la remise de cette image (Ctrl+Entrée).</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>L’ajustement continu est désactivé : seules les règles sans caméra sont appliquées.</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Aucune caméra ne s’ajuste encore ({why}) : seules les règles qui s’en passent sont appliquées.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Aveugle : seules les images remises sont vérifiées avec une caméra.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} image ne peut être vérifiée, comme {name} : {why}</numerusform>
     <numerusform>{n:,} images ne peuvent être vérifiées, comme {name} : {why}</numerusform>
@@ -2082,7 +4550,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>Le jeu n’est pas encore vérifié ; {n:,} image regardée jusqu’ici.</numerusform>
     <numerusform>Le jeu n’est pas encore vérifié ; {n:,} images regardées jusqu’ici.</numerusform>
@@ -2090,17 +4558,17 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Vérification de cette image…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>Vérification du jeu…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} erreur</numerusform>
     <numerusform>{n:,} erreurs</numerusform>
@@ -2108,7 +4576,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} avertissement</numerusform>
     <numerusform>{n:,} avertissements</numerusform>
@@ -2116,11 +4584,304 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} remarque</numerusform>
     <numerusform>{n:,} remarques</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Constats</translation>
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Quels constats sont listés</translation>
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>Vérifier tout le jeu</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>Chercher les mauvaises classes dans toutes les images annotées</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Images vérifiées</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>Écrire en CSV les constats de toutes les images vérifiées</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} de plus n’est pas listé : activez les signes ci-dessus.</numerusform>
+    <numerusform>{n:,} de plus ne sont pas listés : activez les signes ci-dessus.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <translation>Ne plus le montrer tant que les points de ses éléments ne changent pas</translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Cette image</translation>
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Tout le jeu</translation>
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>{findings} ; cliquer pour les lister ou non</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} ignoré ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
+    <numerusform>{n:,} ignorés ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <translation>Ignorer ce constat</translation>
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Moyenne</translation>
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Plus grand</translation>
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Les pires d’abord ; un clic montre le pire point</translation>
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distance moyenne de ses points à l’élément ajusté, px de l’image</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Plus grande distance de ses points à l’élément ajusté, px de l’image</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>choisi automatiquement</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>H : homographie du sol</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>P : sténopé</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R : sténopé, distorsion de l’objectif</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R+ : R, rapport d’aspect, point principal</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R2 : R+, second coefficient radial</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>F : fisheye</translation>
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{model}. Choisi : {why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{passing} sur {n:,} élément annoté à moins de {px:g} px</numerusform>
+    <numerusform>{passing} sur {n:,} éléments annotés à moins de {px:g} px</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{counted} ; {n} en vue pas encore annoté</numerusform>
+    <numerusform>{counted} ; {n} en vue pas encore annotés</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ laissé de côté : {title}</translation>
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{title} : moyenne {mean} px, plus grand {largest} px</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Panoramique</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Inclinaison</translation>
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Roulis</translation>
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distance focale</translation>
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>En long (x)</translation>
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>En large (y)</translation>
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Hauteur (−z)</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Les éléments en vue non annotés comptent contre le JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>À peine déterminé : {limits}</translation>
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Modèle</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distance moyenne des points qui ont compté, px de l’image</translation>
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Résidus par élément</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Enregistrer comme caméra de l’image</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Ouvrez un dossier d’images pour voir la caméra que donnent leurs clics.</translation>
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>L’ajustement continu est désactivé (Ctrl+T).</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Caché : le mode aveugle montre l’ajustement une fois cette image remise.</translation>
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Pas encore de caméra : {why}.</translation>
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Ajustement des clics…</translation>
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Pas d’ajustement.</translation>
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC à {tau:.1f} px</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>&lt;b&gt;À peine déterminé&lt;/b&gt; : {what}</translation>
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>JaC : {terms} ; résidus : px de l’image, {width}x{height}</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Écart type, tel que l’ajustement l’estime</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>résidu moyen</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -2130,13 +4891,15 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
     <numerusform>{n} ouverts</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} élément</numerusform>
-    <numerusform>{n:,} éléments</numerusform>
-   </translation>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>{shown:,} sur {frames}</translation>
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>toutes terminées</translation>
   </message>
   <message>
    <source>⚠ unreadable</source>
@@ -2154,27 +4917,47 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>non annotée</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} terminée</numerusform>
+    <numerusform>{n:,} terminées</numerusform>
+   </translation>
+  </message>
   <message>
    <source>● not saved</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>● non enregistrée</translation>
   </message>
   <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>{shown:,} sur {frames}</translation>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Filtrer les images</translation>
   </message>
   <message>
-   <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
-   <translation>toutes terminées</translation>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Images</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Aucune image.
+Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</translation>
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>Rien ne correspond à « {query} ».</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
    <translation>
-    <numerusform>{n:,} terminée</numerusform>
-    <numerusform>{n:,} terminées</numerusform>
+    <numerusform>{frames} dans {n:,} dossier</numerusform>
+    <numerusform>{frames} dans {n:,} dossiers</numerusform>
    </translation>
   </message>
   <message>
@@ -2196,500 +4979,6 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <source>unfolded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
    <translation>déplié</translation>
-  </message>
-  <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Filtrer les images</translation>
-  </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Images</translation>
-  </message>
-  <message>
-   <source>No frames.
-Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Aucune image.
-Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</translation>
-  </message>
-  <message>
-   <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Rien ne correspond à « {query} ».</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>
-    <numerusform>{frames} dans {n:,} dossier</numerusform>
-    <numerusform>{frames} dans {n:,} dossiers</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>choisi automatiquement</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>H : homographie du sol</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>P : sténopé</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R : sténopé, distorsion de l’objectif</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R+ : R, rapport d’aspect, point principal</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R2 : R+, second coefficient radial</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>F : fisheye</translation>
-  </message>
-  <message>
-   <source>{model}. Chosen: {why}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>{model}. Choisi : {why}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
-   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{passing} sur {n:,} élément annoté à moins de {px:g} px</numerusform>
-    <numerusform>{passing} sur {n:,} éléments annotés à moins de {px:g} px</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{counted}; {n} in sight not annotated yet</source>
-   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{counted} ; {n} en vue pas encore annoté</numerusform>
-    <numerusform>{counted} ; {n} en vue pas encore annotés</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Les éléments en vue non annotés comptent contre le JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>À peine déterminé : {limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
-  </message>
-  <message>
-   <source>Model</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Modèle</translation>
-  </message>
-  <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Distance moyenne des points qui ont compté, px de l’image</translation>
-  </message>
-  <message>
-   <source>Residuals by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Résidus par élément</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Enregistrer comme caméra de l’image</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Ouvrez un dossier d’images pour voir la caméra que donnent leurs clics.</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>L’ajustement continu est désactivé (Ctrl+T).</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Caché : le mode aveugle montre l’ajustement une fois cette image remise.</translation>
-  </message>
-  <message>
-   <source>No camera yet: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Pas encore de caméra : {why}.</translation>
-  </message>
-  <message>
-   <source>Fitting the clicks…</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Ajustement des clics…</translation>
-  </message>
-  <message>
-   <source>No fit.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Pas d’ajustement.</translation>
-  </message>
-  <message>
-   <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC à {tau:.1f} px</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>&lt;b&gt;À peine déterminé&lt;/b&gt; : {what}</translation>
-  </message>
-  <message>
-   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>JaC : {terms} ; résidus : px de l’image, {width}x{height}</translation>
-  </message>
-  <message>
-   <source>Standard deviation, as the fit estimates it</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Écart type, tel que l’ajustement l’estime</translation>
-  </message>
-  <message>
-   <source>mean residual</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>résidu moyen</translation>
-  </message>
-  <message>
-   <source>Mean</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Moyenne</translation>
-  </message>
-  <message>
-   <source>Largest</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Plus grand</translation>
-  </message>
-  <message>
-   <source>Worst first; a click shows the worst point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Les pires d’abord ; un clic montre le pire point</translation>
-  </message>
-  <message>
-   <source>Mean distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Distance moyenne de ses points à l’élément ajusté, px de l’image</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Plus grande distance de ses points à l’élément ajusté, px de l’image</translation>
-  </message>
-  <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>✕ laissé de côté : {title}</translation>
-  </message>
-  <message>
-   <source>{title}: mean {mean} px, largest {largest} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>{title} : moyenne {mean} px, plus grand {largest} px</translation>
-  </message>
-  <message>
-   <source>Pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Panoramique</translation>
-  </message>
-  <message>
-   <source>Tilt</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Inclinaison</translation>
-  </message>
-  <message>
-   <source>Roll</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Roulis</translation>
-  </message>
-  <message>
-   <source>Focal length</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Distance focale</translation>
-  </message>
-  <message>
-   <source>Along (x)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>En long (x)</translation>
-  </message>
-  <message>
-   <source>Across (y)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>En large (y)</translation>
-  </message>
-  <message>
-   <source>Height (−z)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Hauteur (−z)</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC selon tau</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>Point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Point</translation>
-  </message>
-  <message>
-   <source>Worst</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Pire</translation>
-  </message>
-  <message>
-   <source>Passes at</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Passe à</translation>
-  </message>
-  <message>
-   <source>Click a row to see the point that decides</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Cliquez une ligne pour voir le point qui décide</translation>
-  </message>
-  <message>
-   <source>How the element counts at tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Comment l’élément compte à tau</translation>
-  </message>
-  <message>
-   <source>The point that decides, counted from 1</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Le point qui décide, compté à partir de 1</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the projection, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Plus grande distance de ses points à la projection, px</translation>
-  </message>
-  <message>
-   <source>The smallest tau of the slider at which it passes, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Le plus petit tau du curseur auquel il passe, px</translation>
-  </message>
-  <message>
-   <source>Scores by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Scores par élément</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Compte comme {class_name}</translation>
-  </message>
-  <message>
-   <source>Choose an element to read why it counts as it does.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Choisissez un élément pour lire pourquoi il compte ainsi.</translation>
-  </message>
-  <message>
-   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>la caméra est l’ajustement à ces mêmes clics : ce JaC n’est le score d’aucune méthode</translation>
-  </message>
-  <message>
-   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Les classes en miroir comptent ici : le terrain tourné de 180° convient au moins aussi bien.</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px – plus que tau</translation>
-  </message>
-  <message>
-   <source>Precision</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Précision</translation>
-  </message>
-  <message>
-   <source>Recall</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Rappel</translation>
-  </message>
-  <message>
-   <source>Mean error</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Erreur moyenne</translation>
-  </message>
-  <message>
-   <source>Mean reprojection error of all points, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Erreur de reprojection moyenne de tous les points, px</translation>
-  </message>
-  <message>
-   <source>Median reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Erreur de reprojection médiane, px</translation>
-  </message>
-  <message>
-   <source>Max</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Max.</translation>
-  </message>
-  <message>
-   <source>Largest reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Plus grande erreur de reprojection, px</translation>
-  </message>
-  <message>
-   <source>{name} has no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>{name} n’a pas de caméra pour cette image.</translation>
-  </message>
-  <message>
-   <source>points: {kinds}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>points : {kinds}</translation>
-  </message>
-  <message>
-   <source>Scores and their plot</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Scores et leur graphique</translation>
-  </message>
-  <message>
-   <source>Copy this explanation</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Copier cette explication</translation>
-  </message>
-  <message>
-   <source>Copy all explanations</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Copier toutes les explications</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Ouvrez un dossier d’images pour voir des scores.</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Aucune caméra à juger.
-Chargez des caméras pour voir comme elles s’accordent à vos clics.</translation>
-  </message>
-  <message>
-   <source>JaC –: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>JaC – : {why}.</translation>
-  </message>
-  <message>
-   <source>This frame's camera cannot be used:
-{error}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>La caméra de cette image n’est pas utilisable :
-{error}</translation>
-  </message>
-  <message>
-   <source>No fit to judge: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Aucun ajustement à juger : {why}.</translation>
-  </message>
-  <message>
-   <source>Elements whose points all are closer than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Éléments dont tous les points sont plus proches que tau</translation>
-  </message>
-  <message>
-   <source>Elements too far, or projected and not annotated</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Éléments trop loin, ou projetés et non annotés</translation>
-  </message>
-  <message>
-   <source>Annotated elements that the camera does not project</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Éléments annotés que la caméra ne projette pas</translation>
-  </message>
-  <message>
-   <source>Camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Caméra</translation>
-  </message>
-  <message>
-   <source>Annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Annotation</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Correct</translation>
-  </message>
-  <message>
-   <source>The active camera is wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>La caméra active est fausse sur cette image</translation>
-  </message>
-  <message>
-   <source>The clicks are wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Les clics sont faux sur cette image</translation>
-  </message>
-  <message>
-   <source>Camera and clicks are right in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Caméra et clics sont justes sur cette image</translation>
-  </message>
-  <message>
-   <source>Fault</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Faute</translation>
-  </message>
-  <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
-  </message>
-  <message>
-   <source>Verdict: {verdict}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Verdict : {verdict}</translation>
-  </message>
-  <message>
-   <source>{verdict}; once more takes it back ({key})</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -2753,7 +5042,7 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   </message>
   <message>
    <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Repères</translation>
   </message>
   <message>
@@ -2763,7 +5052,7 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   </message>
   <message>
    <source>Add</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Ajouter</translation>
   </message>
   <message>
@@ -2885,226 +5174,304 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>le repère {title}</translation>
   </message>
   <message>
-   <source>Share</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Part</translation>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC selon tau</translation>
   </message>
   <message>
-   <source>Median time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Temps médian</translation>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC selon les images</translation>
   </message>
   <message>
-   <source>Total time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Temps total</translation>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Pas encore de scores. Ils sont calculés en arrière-plan, image par image.</translation>
   </message>
   <message>
-   <source>Where the frame is in its life</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Où en est l’image dans sa vie</translation>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>{name} (image {n})</translation>
   </message>
   <message>
-   <source>How many frames have this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Combien d’images ont cet état</translation>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
   </message>
   <message>
-   <source>Of all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>De toutes les images</translation>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau (px)</translation>
   </message>
   <message>
-   <source>Of the frames that somebody worked on</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Des images sur lesquelles quelqu’un a travaillé</translation>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>image</translation>
   </message>
   <message>
-   <source>Of all frames with this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>De toutes les images dans cet état</translation>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Chaque courbe est la moyenne des images pour lesquelles cette source a une caméra.</translation>
   </message>
   <message>
-   <source>Class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
-   <translation>Classe</translation>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
   </message>
   <message>
-   <source>An element of the field, or another class that occurs</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Un élément du terrain, ou une autre classe rencontrée</translation>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
   </message>
   <message>
-   <source>How many frames it is annotated in</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Sur combien d’images il est annoté</translation>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
   </message>
   <message>
-   <source>Its points in all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Ses points sur toutes les images</translation>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>Les plans sont reconnus d’après les noms, car {error}.</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Erreurs, en histogramme</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
    <translation>
-    <numerusform>{n:,} point</numerusform>
-    <numerusform>{n:,} points</numerusform>
+    <numerusform>{n:,} point sans distance laissé de côté.</numerusform>
+    <numerusform>{n:,} points sans distance laissés de côté.</numerusform>
    </translation>
   </message>
   <message>
-   <source>Overview of the set</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Vue d’ensemble du jeu</translation>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Résidus sur l’image</translation>
   </message>
   <message>
-   <source>Export CSV…</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Exporter en CSV…</translation>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>erreur de reprojection (px)</translation>
   </message>
   <message>
-   <source>Write one row a frame to a table for a spreadsheet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Écrire une ligne par image dans une table pour tableur</translation>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>points</translation>
   </message>
   <message>
-   <source>Share of frames that are done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Part des images terminées ou approuvées</translation>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>La dernière barre réunit toutes les erreurs plus grandes.</translation>
   </message>
   <message>
-   <source>Frames by status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Images par état</translation>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{px:g} px ou plus</translation>
   </message>
   <message>
-   <source>Frames and points by class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Images et points par classe</translation>
-  </message>
-  <message numerus="yes">
-   <source>frames, {points}</source>
-   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>image, {points}</numerusform>
-    <numerusform>images, {points}</numerusform>
-   </translation>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{name} {part:,} sur {total:,}</translation>
   </message>
   <message>
-   <source>done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>terminées ou approuvées</translation>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Aucun point de {element} sur cette image.</translation>
   </message>
   <message>
-   <source>a frame (median)</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>par image (médiane)</translation>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Aucun point de {element} jusqu’ici.</translation>
   </message>
   <message>
-   <source>median JaC of {n:,}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>JaC médian de {n:,}</translation>
-  </message>
-  <message numerus="yes">
-   <source>of {n:,} comments open</source>
-   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>sur {n:,} commentaire ouverts</numerusform>
-    <numerusform>sur {n:,} commentaires ouverts</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>In {n:,} frames</source>
-   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>Sur {n:,} image</numerusform>
-    <numerusform>Sur {n:,} images</numerusform>
-   </translation>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Aucun point annoté de cette image n’est projeté par une source affichée.</translation>
   </message>
   <message>
-   <source>Nothing to sum up: no frames are open.
-Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Rien à résumer : aucune image n’est ouverte.
-Ouvrez d’abord un dossier d’images.</translation>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Aucun point annoté n’est encore projeté par une source affichée.</translation>
   </message>
   <message>
-   <source>Points by origin: {origins}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Points par origine : {origins}</translation>
-  </message>
-  <message numerus="yes">
-   <source>on {n:,} frames</source>
-   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>sur {n:,} image</numerusform>
-    <numerusform>sur {n:,} images</numerusform>
-   </translation>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flèches allongées</translation>
   </message>
   <message>
-   <source>no time taken yet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>pas encore de temps mesuré</translation>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
   </message>
   <message>
-   <source>Time per frame in hours</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Temps par image en heures</translation>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>automatique</translation>
   </message>
   <message>
-   <source>Time per frame in minutes</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Temps par image en minutes</translation>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
   </message>
   <message>
-   <source>Time per frame in seconds</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Temps par image en secondes</translation>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
   </message>
   <message>
-   <source>No frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Aucune image</translation>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
   </message>
   <message>
-   <source>Elements per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Éléments par image</translation>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>Image (*.png);;Image vectorielle (*.svg)</translation>
   </message>
   <message>
-   <source>Time per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Temps par image</translation>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>les nombres du graphique sont dans le presse-papiers</translation>
   </message>
   <message>
-   <source>No time yet: it is taken while somebody works on a frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Pas encore de temps : il est mesuré pendant que quelqu’un travaille sur une image</translation>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>Enregistrer le graphique</translation>
   </message>
   <message>
-   <source>{caption}; last bar: longer</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>{caption} ; dernière barre : plus long</translation>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} écrit, pour ce qui est noté</translation>
   </message>
   <message>
-   <source>{hours:,} h {minutes:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{hours:,} h {minutes:02d} min</translation>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} écrit</translation>
   </message>
   <message>
-   <source>{seconds:.1f} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{seconds:.1f} s</translation>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>le graphique est dans le presse-papiers comme image</translation>
   </message>
   <message>
-   <source>{seconds} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{seconds} s</translation>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>il n’y a rien de tracé à emporter</translation>
   </message>
   <message>
-   <source>{minutes} min {seconds:02d} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{minutes} min {seconds:02d} s</translation>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{frames}, pour ce qui est noté</translation>
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <translation>Sources : {names}</translation>
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>({n:,} sur {total:,})</translation>
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Tous les éléments</translation>
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Garder</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copier ou enregistrer le graphique et ses nombres</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copier ou enregistrer le graphique</translation>
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Graphique</translation>
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Tracer l’image à l’écran, ou toutes celles notées jusqu’ici</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Tracer les points d’un seul élément</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Ouvrez un dossier d’images pour voir des graphiques.</translation>
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Aucune caméra à juger.
+Chargez des caméras pour voir comme elles s’accordent à vos clics.</translation>
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Ce graphique n’a pu être calculé : {error}.</translation>
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>({n:,} remises)</translation>
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copier l’image</translation>
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copier les nombres</translation>
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Enregistrer l’image…</translation>
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Enregistrer les nombres…</translation>
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Calcul…</translation>
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>(caché)</translation>
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>(sans score)</translation>
   </message>
   <message>
    <source>Nobody has edited this frame here</source>
@@ -3140,6 +5507,11 @@ Ouvrez d’abord un dossier d’images.</translation>
    <source>Edited after the cameras were shown.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Modifiée après que les caméras ont été montrées.</translation>
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{seconds} s</translation>
   </message>
   <message>
    <source>Committed in blind mode by {author}</source>
@@ -3183,7 +5555,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message>
    <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
    <translation>Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message>
@@ -3211,914 +5583,302 @@ Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message>
    <source>somebody</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/editing/batch_edits.py, procc_annotator/gui/state/state.py]</extracomment>
    <translation>quelqu’un</translation>
   </message>
   <message>
-   <source>annotated</source>
-   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>annoté</translation>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Choisissez un élément pour lire pourquoi il compte ainsi.</translation>
   </message>
   <message>
-   <source>unconfirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>non confirmé</translation>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>la caméra est l’ajustement à ces mêmes clics : ce JaC n’est le score d’aucune méthode</translation>
   </message>
   <message>
-   <source>not visible</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>pas visible</translation>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Les classes en miroir comptent ici : le terrain tourné de 180° convient au moins aussi bien.</translation>
   </message>
   <message>
-   <source>next</source>
-   <comment>element</comment>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>suivant</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px</translation>
   </message>
   <message>
-   <source>Not annotated in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Non annoté sur cette image</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px – plus que tau</translation>
   </message>
   <message>
-   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Annoté, mais non jugé : aucune caméra n’est montrée, ou il ne participe pas à l’évaluation</translation>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Point</translation>
   </message>
   <message>
-   <source>Copied; it does not count until it is touched or confirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Copié ; il ne compte pas avant d’être touché ou confirmé</translation>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Pire</translation>
   </message>
   <message>
-   <source>Passes: all its points are closer than tau to the projection</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Passe : tous ses points sont plus proches de la projection que tau</translation>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Passe à</translation>
   </message>
   <message>
-   <source>Too far: at least one point is tau or more away (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Trop loin : au moins un point est à tau ou plus (faux positif)</translation>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Cliquez une ligne pour voir le point qui décide</translation>
   </message>
   <message>
-   <source>The camera projects it, it is not annotated (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>La caméra le projette, il n’est pas annoté (faux positif)</translation>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Comment l’élément compte à tau</translation>
   </message>
   <message>
-   <source>Annotated, the camera does not project it (false negative)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Annoté, la caméra ne le projette pas (faux négatif)</translation>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Le point qui décide, compté à partir de 1</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Quelqu’un a dit qu’il ne se voit pas sur cette image</translation>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Plus grande distance de ses points à la projection, px</translation>
   </message>
   <message>
-   <source>To be annotated next, as on the field map and in the picture</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>À annoter ensuite, comme sur le plan du terrain et dans l’image</translation>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Le plus petit tau du curseur auquel il passe, px</translation>
   </message>
   <message>
-   <source>{title} (unknown class)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>{title} (classe inconnue)</translation>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Caméra</translation>
   </message>
   <message>
-   <source>The picture cannot be shown</source>
-   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
-   <translation>L’image ne peut être montrée</translation>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Annotation</translation>
   </message>
   <message>
-   <source>Blind: no camera is shown before Ctrl+Enter</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Aveugle : aucune caméra n’est montrée avant Ctrl+Entrée</translation>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Correct</translation>
   </message>
   <message>
-   <source>Blind mode, this frame is committed</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Mode aveugle, cette image est remise</translation>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>La caméra active est fausse sur cette image</translation>
   </message>
   <message>
-   <source>no camera is known here that could be dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>aucune caméra à faire glisser n’est connue ici</translation>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Les clics sont faux sur cette image</translation>
   </message>
   <message>
-   <source>taken back: the camera is as before it was dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>annulé : la caméra est comme avant le glissement</translation>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Caméra et clics sont justes sur cette image</translation>
   </message>
   <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>mode aveugle : aucune caméra n’est montrée</translation>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Scores par élément</translation>
   </message>
   <message>
-   <source>overlays are hidden (Ctrl+H)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>les superpositions sont cachées (Ctrl+H)</translation>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Précision</translation>
   </message>
   <message>
-   <source>a homography cannot be turned: choose another model (panel Fit)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>une homographie ne peut être tournée : choisissez un autre modèle (panneau Ajustement)</translation>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Rappel</translation>
   </message>
   <message>
-   <source>release leaves it here</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>relâcher la laisse ici</translation>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Erreur moyenne</translation>
   </message>
   <message>
-   <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Échap la remet en place</translation>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Erreur de reprojection moyenne de tous les points, px</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>{n} piquet tient la caméra</numerusform>
-    <numerusform>{n} piquets tiennent la caméra</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>CAMERA</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>CAMÉRA</translation>
-  </message>
-  <message numerus="yes">
-   <source>peg taken away: {n} pegs left</source>
-   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>piquet retiré : il reste {n} piquet</numerusform>
-    <numerusform>piquet retiré : il reste {n} piquets</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>peg taken away: the camera is as it was found</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>piquet retiré : la caméra est comme elle a été trouvée</translation>
-  </message>
-  <message>
-   <source>peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>piquet</translation>
-  </message>
-  <message>
-   <source>press on a line of the wireframe</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>pressez sur une ligne du fil de fer</translation>
-  </message>
-  <message>
-   <source>drag moves this peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>glisser déplace ce piquet</translation>
-  </message>
-  <message>
-   <source>click takes it away</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>un clic le retire</translation>
-  </message>
-  <message>
-   <source>drag a place of the wireframe to where it belongs</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>glissez un endroit du fil de fer à sa place</translation>
-  </message>
-  <message>
-   <source>drag {title} to where it belongs: the camera follows</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>glissez {title} à sa place : la caméra suit</translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Ctrl+Z l’annule</translation>
-  </message>
-  <message>
-   <source>PAN</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>DÉPLACER</translation>
-  </message>
-  <message>
-   <source>drag moves the picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>glisser déplace l’image</translation>
-  </message>
-  <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic et Entrée ne font rien</translation>
-  </message>
-  <message>
-   <source>Esc takes the tool again</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>Échap reprend l’outil</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Image</translation>
-  </message>
-  <message>
-   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>chargez un second jeu de caméras pour alterner entre deux (Ctrl+L)</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>caméra illisible</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>pas de caméra ici</translation>
-  </message>
-  <message>
-   <source>{titles}: changed elsewhere, look again first</source>
-   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation>{titles} : changé ailleurs, regardez d’abord</translation>
-  </message>
-  <message>
-   <source>{title} has no points in this frame: choose the element to delete</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>1 clic de {title} sur {frame} est conservé, non confirmé : y choisir l’élément pour continuer</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminé avec {n} point sur {frame}</numerusform>
-    <numerusform>{title} terminé avec {n} points sur {frame}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>choose the element to delete first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>choisissez d’abord l’élément à supprimer : plan du terrain, liste ou touche</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} points of {title}</source>
-   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{n} point de {title} abandonné</numerusform>
-    <numerusform>{n} points de {title} abandonnés</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminé avec {n} point</numerusform>
-    <numerusform>{title} terminé avec {n} points</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs</source>
-   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>
-    <numerusform>{n} piquet</numerusform>
-    <numerusform>{n} piquets</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs}, précisée sur la peinture : {share:.0%} de ses lignes</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, not made exact: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs}, non précisée : {why}</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra trouvée, incertaine : {why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs}</translation>
-  </message>
-  <message>
-   <source>Camera of the track: Shift+Enter accepts its elements</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra du suivi : Maj+Entrée accepte ses éléments</translation>
-  </message>
-  <message>
-   <source>Looking for the camera in the picture …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Recherche de la caméra dans l’image …</translation>
-  </message>
-  <message>
-   <source>No camera found: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Aucune caméra trouvée : {why}</translation>
-  </message>
-  <message>
-   <source>Camera found, sure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra trouvée, sûre : {why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}: its lines are looked for …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs} : ses lignes sont recherchées …</translation>
-  </message>
-  <message>
-   <source>Camera of the track, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra du suivi, incertaine : {why}</translation>
-  </message>
-  <message>
-   <source>{title}  ±{sd:.1f} px  unsure</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
-   <translation>{title}  ±{sd:.1f} px  incertain</translation>
-  </message>
-  <message>
-   <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>suivant : {title}</translation>
-  </message>
-  <message>
-   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>réticule : les flèches le déplacent (Maj 0.1 px, Ctrl 10 px, Ctrl+Maj 100 px), Espace clique, Échap le range</translation>
-  </message>
-  <message>
-   <source>point at a line first: with the mouse, or with the arrows</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>pointez d’abord une ligne : avec la souris ou avec les flèches</translation>
-  </message>
-  <message>
-   <source>there is no line here to put a point on</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>il n’y a pas de ligne ici où mettre un point</translation>
-  </message>
-  <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Luminosité</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Contraste</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Gamma</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Rehausser les lignes</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Faire ressortir les lignes usées ou dans l’ombre</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Réinitialiser</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Montrer l’image telle qu’elle est</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Seul ce que vous voyez change, jamais le fichier</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Décaler toutes les valeurs</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Étirer les valeurs autour du gris moyen</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>Vers la droite, les parties sombres s’éclaircissent</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Ce que vaut la caméra ajustée</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>mètres au sol, 1 σ</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera ({model}) is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>Ce que vaut la caméra ajustée ({model})</translation>
-  </message>
-  <message>
-   <source>{metres:g} m, asked of offside technology</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m, exigés de la technologie du hors-jeu</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd, median {median:.2f}</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>mètres au sol, 1 σ, médiane {median:.2f}</translation>
-  </message>
-  <message>
-   <source>metres on the ground</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>mètres au sol</translation>
-  </message>
-  <message>
-   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m : {percent:.0f} % du terrain en vue</translation>
-  </message>
-  <message>
-   <source>Drag to move the divider (arrow keys do it too)</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>Glisser déplace la séparation (les flèches aussi)</translation>
-  </message>
-  <message>
-   <source>Divider of the split view</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>Séparation de la vue partagée</translation>
-  </message>
-  <message>
-   <source>JaC over tau, differences</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC selon tau, différences</translation>
-  </message>
-  <message>
-   <source>No frame that two of the shown sources have is scored yet.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Aucune image que deux des sources affichées ont n’est encore notée.</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC selon les images</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Pas encore de scores. Ils sont calculés en arrière-plan, image par image.</translation>
-  </message>
-  <message>
-   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{name} moins chacune des autres sources, sur les images que les deux ont. Au-delà du hasard là où la bande à 95 % est à côté de 0 ; {drawn}.</translation>
-  </message>
-  <message>
-   <source>One source alone has nothing to be compared with.
-Load or show another one.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Une source seule n’a rien à quoi se comparer.
-Chargez-en ou affichez-en une autre.</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name} (image {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
-  </message>
-  <message>
-   <source>JaC, difference</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC, différence</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>image</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Chaque courbe est la moyenne des images pour lesquelles cette source a une caméra.</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Erreurs, en histogramme</translation>
-  </message>
-  <message>
-   <source>Errors, by image radius</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Erreurs, selon le rayon dans l’image</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} point sans distance laissé de côté.</numerusform>
-    <numerusform>{n:,} points sans distance laissés de côté.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
-   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>Marques : {painted:,} sur {n:,} point, dont les plus grandes erreurs.</numerusform>
-    <numerusform>Marques : {painted:,} sur {n:,} points, dont les plus grandes erreurs.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>erreur de reprojection (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>points</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>La dernière barre réunit toutes les erreurs plus grandes.</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{px:g} px ou plus</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} sur {total:,}</translation>
-  </message>
-  <message>
-   <source>distance from the centre (corner = 1)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>distance au centre (coin = 1)</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Aucun point de {element} sur cette image.</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Aucun point de {element} jusqu’ici.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Aucun point annoté de cette image n’est projeté par une source affichée.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Aucun point annoté n’est encore projeté par une source affichée.</translation>
-  </message>
   <message>
-   <source>Lines: running median of all points.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Lignes : médiane glissante de tous les points.</translation>
-  </message>
-  <message>
-   <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation>Sources : {names}</translation>
-  </message>
-  <message>
-   <source>({n:,} of {total:,})</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>({n:,} sur {total:,})</translation>
-  </message>
-  <message>
-   <source>All elements</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Tous les éléments</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Garder</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copier ou enregistrer le graphique et ses nombres</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copier ou enregistrer le graphique</translation>
-  </message>
-  <message>
-   <source>Plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Graphique</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Tracer l’image à l’écran, ou toutes celles notées jusqu’ici</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Tracer les points d’un seul élément</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Ouvrez un dossier d’images pour voir des graphiques.</translation>
-  </message>
-  <message>
-   <source>This plot could not be computed: {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Ce graphique n’a pu être calculé : {error}.</translation>
-  </message>
-  <message>
-   <source>({n:,} committed)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>({n:,} remises)</translation>
-  </message>
-  <message>
-   <source>Copy picture</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copier l’image</translation>
-  </message>
-  <message>
-   <source>Copy numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Copier les nombres</translation>
-  </message>
-  <message>
-   <source>Save picture…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Enregistrer l’image…</translation>
-  </message>
-  <message>
-   <source>Save numbers…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Enregistrer les nombres…</translation>
-  </message>
-  <message>
-   <source>Computing…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Calcul…</translation>
-  </message>
-  <message>
-   <source>(hidden)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>(caché)</translation>
-  </message>
-  <message>
-   <source>(no score)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>(sans score)</translation>
-  </message>
-  <message>
-   <source>Pan, tilt, roll, zoom over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Panoramique, inclinaison, roulis, zoom selon les images</translation>
-  </message>
-  <message>
-   <source>Position over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Position selon les images</translation>
-  </message>
-  <message>
-   <source>tilt</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>inclinaison</translation>
-  </message>
-  <message>
-   <source>roll</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>roulis</translation>
-  </message>
-  <message>
-   <source>focal</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>focale</translation>
-  </message>
-  <message>
-   <source>height</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>hauteur</translation>
-  </message>
-  <message>
-   <source>No poses yet. They are gathered in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Pas encore de poses. Elles sont réunies en arrière-plan, image par image.</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>panoramique</translation>
-  </message>
-  <message>
-   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>Les sources affichées sont de modèles sans pose (homographies, simples projections).</translation>
-  </message>
-  <message numerus="yes">
-   <source>{name}: {n:,} jumps (rings).</source>
-   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>
-    <numerusform>{name} : {n:,} saut (anneau).</numerusform>
-    <numerusform>{name} : {n:,} sauts (anneaux).</numerusform>
-   </translation>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Erreur de reprojection médiane, px</translation>
   </message>
   <message>
-   <source>{name}: its model has no pose.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name} : son modèle n’a pas de pose.</translation>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Max.</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Plus grande erreur de reprojection, px</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{name} n’a pas de caméra pour cette image.</translation>
   </message>
   <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Les plans sont reconnus d’après les noms, car {error}.</translation>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>points : {kinds}</translation>
   </message>
   <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Résidus sur l’image</translation>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Faute</translation>
   </message>
   <message>
-   <source>Residuals, by direction</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Résidus, par direction</translation>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
   </message>
   <message>
-   <source>{px:.2f} px right</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px à droite</translation>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Copier cette explication</translation>
   </message>
   <message>
-   <source>{px:.2f} px left</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px à gauche</translation>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Copier toutes les explications</translation>
   </message>
   <message>
-   <source>{px:.2f} px down</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px en bas</translation>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Ouvrez un dossier d’images pour voir des scores.</translation>
   </message>
   <message>
-   <source>{px:.2f} px up</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>{px:.2f} px en haut</translation>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC – : {why}.</translation>
   </message>
   <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flèches allongées</translation>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>La caméra de cette image n’est pas utilisable :
+{error}</translation>
   </message>
   <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Aucun ajustement à juger : {why}.</translation>
   </message>
   <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>automatique</translation>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Verdict : {verdict}</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Éléments dont tous les points sont plus proches que tau</translation>
   </message>
   <message>
-   <source>to the right (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>vers la droite (px)</translation>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Éléments trop loin, ou projetés et non annotés</translation>
   </message>
   <message>
-   <source>down (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>vers le bas (px)</translation>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Éléments annotés que la caméra ne projette pas</translation>
   </message>
   <message>
-   <source>Median of clicks to projection: {ways}.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Médiane des clics à la projection : {ways}.</translation>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Compte comme {class_name}</translation>
   </message>
   <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>ancre</translation>
   </message>
   <message>
-   <source>No three frames in a row have a camera that goes from one to the next.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Nulle part trois images de suite n’ont une caméra qui passe de l’une à l’autre.</translation>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>suivie</translation>
   </message>
   <message>
-   <source>Jitter over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>Tremblement selon les images</translation>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>comblée</translation>
   </message>
   <message>
-   <source>How far each frame is from steady motion between its neighbours.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>De combien chaque image s’écarte d’un mouvement régulier entre ses voisines.</translation>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>perdue</translation>
   </message>
   <message>
-   <source>jitter (px)</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>tremblement (px)</translation>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>image {number} de {first}–{last}</translation>
   </message>
   <message>
-   <source>Picture (*.png);;Vector graphics (*.svg)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>Image (*.png);;Image vectorielle (*.svg)</translation>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{state}, {share:.0%} des lignes sur de la peinture</translation>
   </message>
   <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Table (*.csv)</translation>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>les noms comptent de {step} en {step}</translation>
   </message>
   <message>
-   <source>the plotted numbers are on the clipboard</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>les nombres du graphique sont dans le presse-papiers</translation>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>sa caméra a été glissée</translation>
   </message>
   <message>
-   <source>Save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>Enregistrer le graphique</translation>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>aveugle : sa caméra est cachée</translation>
   </message>
   <message>
-   <source>wrote {path}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} écrit, pour ce qui est noté</translation>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{found}, à {far:.1f} px</translation>
   </message>
   <message>
-   <source>wrote {path}</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} écrit</translation>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>douteuse : {why}</translation>
   </message>
   <message>
-   <source>the plot is on the clipboard as a picture</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>le graphique est dans le presse-papiers comme image</translation>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Images du plan</translation>
   </message>
   <message>
-   <source>there is nothing plotted to take along</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>il n’y a rien de tracé à emporter</translation>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>Les flèches vont d’image en image, avec Maj elles marquent un passage, Échap l’oublie</translation>
   </message>
   <message>
-   <source>{frames}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{frames}, pour ce qui est noté</translation>
+   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
+   <extracomment>[procc_annotator/gui/panels/widgets.py]</extracomment>
+   <translation>pas {number:g} : de {least:g} à {most:g}{unit}</translation>
   </message>
   <message>
    <source>Fit and ghosts</source>
@@ -4129,6 +5889,11 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>Annotating</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
    <translation>Annotation</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what})</source>
+   <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
+   <translation>erreur inattendue ({what})</translation>
   </message>
   <message>
    <source>{who} unlocked this dataset from blind mode on {day}</source>
@@ -4161,11 +5926,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>{reason} : le menu Image le lève, ce qui est consigné</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ouvrez d’abord un dossier d’images</translation>
-  </message>
-  <message>
    <source>this dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
    <translation>le mode aveugle est imposé à ce jeu de données</translation>
@@ -4186,169 +5946,119 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>chargez un de ses dossiers : {names}</translation>
   </message>
   <message>
-   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} ne disent que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>elle contient déjà la même chose</translation>
   </message>
   <message>
-   <source>{names}: no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} : pas de caméra pour cette image.</translation>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>elle est déjà annotée</translation>
   </message>
   <message>
-   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{name} ne dit que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>{who} la modifie</translation>
   </message>
   <message>
-   <source>{a} and {b}</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{a} et {b}</translation>
-  </message>
-  <message>
-   <source>The two see no part of the field in common in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Les deux ne voient aucune partie commune du terrain sur cette image.</translation>
-  </message>
-  <message>
-   <source>Both cameras are the same in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Les deux caméras sont identiques sur cette image.</translation>
-  </message>
-  <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Aveugle : caché jusqu’à la remise de cette image.</translation>
-  </message>
-  <message>
-   <source>No source is judged: choose one first.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Aucune source n’est jugée : choisissez-en d’abord une.</translation>
-  </message>
-  <message>
-   <source>Two sources of cameras are needed: load another one.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Il faut deux sources de caméras : chargez-en une autre.</translation>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>elle ne peut être modifiée</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>aveugle : rien n’est annoté ici ; Ctrl+Entrée encore montre les caméras, et ce qui est cliqué ensuite n’est plus du travail à l’aveugle</translation>
   </message>
   <message>
    <source>{frame} is done</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} est terminée</translation>
   </message>
   <message>
    <source>nothing to undo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rien à annuler sur cette image</translation>
   </message>
   <message>
    <source>undo once more takes that away</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>annuler encore l’enlève</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} a été changée ailleurs et relue : {so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>les éléments non confirmés ne comptent pas : {count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>annulé : {step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rétabli : {step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} a été changée ailleurs : relue</translation>
   </message>
   <message>
    <source>nothing is undone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rien n’est annulé</translation>
   </message>
   <message>
    <source>nothing is redone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rien n’est rétabli</translation>
   </message>
   <message>
    <source>nothing to redo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>rien à rétablir sur cette image</translation>
   </message>
   <message>
-   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>{file} dit quel est le terrain de ce jeu : pour en choisir un autre, écartez ce fichier et rouvrez le jeu</translation>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>les caméras de {name} ont changé : {why}</translation>
   </message>
   <message>
-   <source>field: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>terrain : {field}</translation>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>les caméras de {name} ont changé sur le disque : relues</translation>
   </message>
   <message>
-   <source>this dataset's field from now on: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>le terrain de ce jeu désormais : {field}</translation>
-  </message>
-  <message>
-   <source>this dataset's field from now on, {reach}: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>le terrain de ce jeu désormais, {reach} : {field}</translation>
-  </message>
-  <message>
-   <source>no other field knows the classes here better</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>aucun autre terrain ne connaît mieux ces classes</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>toutes les images après celle-ci sont annotées</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>toutes les images avant celle-ci sont annotées</translation>
-  </message>
-  <message>
-   <source>{title}: its line could not be looked for: {why}</source>
-   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
-  </message>
-  <message>
-   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} est à {place} m, ± {deviations}, d’après {views} vues</translation>
-  </message>
-  <message>
-   <source>{title} was deleted meanwhile: its place was not kept</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} a été supprimé entre-temps : son lieu n’a pas été gardé</translation>
-  </message>
-  <message>
-   <source>left out: {names}</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>laissés de côté : {names}</translation>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/saving.py]</extracomment>
+   <translation>non enregistré : {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
    <translation>les repères du jeu restent ce qu’ils étaient : {why}</translation>
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} est à {place} m, ± {deviations}, d’après {views} vues</translation>
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} a été supprimé entre-temps : son lieu n’a pas été gardé</translation>
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>laissés de côté : {names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
@@ -4361,54 +6071,149 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>les repères du jeu sont de nouveau utilisables</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>l’ajustement continu est désactivé</translation>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names} ne disent que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
   </message>
   <message>
-   <source>the fit failed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>l’ajustement a échoué : {why}</translation>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names} : pas de caméra pour cette image.</translation>
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{name} ne dit que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{a} et {b}</translation>
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Les deux ne voient aucune partie commune du terrain sur cette image.</translation>
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Les deux caméras sont identiques sur cette image.</translation>
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Aveugle : caché jusqu’à la remise de cette image.</translation>
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Aucune source n’est jugée : choisissez-en d’abord une.</translation>
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Il faut deux sources de caméras : chargez-en une autre.</translation>
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>La caméra ajustée ne voit aucune partie du terrain.</translation>
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>L’ajustement continu est désactivé, donc pas de carte d’incertitude (Ctrl+T l’active).</translation>
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Pas d’ajustement de cette image, donc pas de carte d’incertitude.</translation>
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>Pas encore de caméra, donc pas de carte d’incertitude : {why}.</translation>
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>la largeur peinte ne peut être tracée : {why}</translation>
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>{file} dit quel est le terrain de ce jeu : pour en choisir un autre, écartez ce fichier et rouvrez le jeu</translation>
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>terrain : {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>le terrain de ce jeu désormais : {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>le terrain de ce jeu désormais, {reach} : {field}</translation>
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>aucun autre terrain ne connaît mieux ces classes</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>toutes les images après celle-ci sont annotées</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>toutes les images avant celle-ci sont annotées</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>impossible d’écrire dans {folder} : rien de ce qui est annoté ici ne peut être enregistré</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>tout n’est pas encore enregistré : l’autre jeu n’a pas été ouvert</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>tout n’est pas encore enregistré : la vidéo n’a pas été ouverte</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>rien n’est ouvert</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>le terrain de ce jeu : {field}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>les caméras de {name} ont changé : {why}</translation>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed on disk: read again</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>les caméras de {name} ont changé sur le disque : relues</translation>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>l’ajustement continu est désactivé</translation>
   </message>
   <message>
-   <source>the painted width cannot be drawn: {why}</source>
-   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation>la largeur peinte ne peut être tracée : {why}</translation>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>l’ajustement a échoué : {why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -4436,9 +6241,14 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>dans cette fenêtre seulement : rien ne peut être écrit</translation>
   </message>
   <message>
-   <source>not saved: {why}</source>
-   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation>non enregistré : {why}</translation>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path} : aucune caméra n’a le nom d’une image (les caméras s’appellent comme {camera!r}, les images comme {frame!r})</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -4457,36 +6267,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
    <translation>second annotateur : {why}</translation>
-  </message>
-  <message>
-   <source>it holds the same already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>elle contient déjà la même chose</translation>
-  </message>
-  <message>
-   <source>it is annotated already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>elle est déjà annotée</translation>
-  </message>
-  <message>
-   <source>{who} is editing it</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>{who} la modifie</translation>
-  </message>
-  <message>
-   <source>it cannot be edited</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>elle ne peut être modifiée</translation>
-  </message>
-  <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
-  </message>
-  <message>
-   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path} : aucune caméra n’a le nom d’une image (les caméras s’appellent comme {camera!r}, les images comme {frame!r})</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
@@ -4509,2257 +6289,59 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>l’annotation est illisible</translation>
   </message>
   <message>
-   <source>The fitted camera sees no part of the field.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>La caméra ajustée ne voit aucune partie du terrain.</translation>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Fantôme de {title}</translation>
   </message>
   <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>L’ajustement continu est désactivé, donc pas de carte d’incertitude (Ctrl+T l’active).</translation>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Accepter</translation>
   </message>
   <message>
-   <source>There is no fit of this frame, so no uncertainty map.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Pas d’ajustement de cette image, donc pas de carte d’incertitude.</translation>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Regarder de près</translation>
   </message>
   <message>
-   <source>No camera yet, so no uncertainty map: {why}.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Pas encore de caméra, donc pas de carte d’incertitude : {why}.</translation>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
+   <translation>Pas visible ici</translation>
   </message>
   <message>
-   <source>Frames as small pictures</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>Images en vignettes</translation>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Dessin de {title}</translation>
   </message>
   <message>
-   <source>The arrows go along, Enter shows the frame</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>Les flèches avancent, Entrée montre l’image</translation>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Couper ici : le reste devient</translation>
   </message>
   <message>
-   <source>Frames of the shot</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>Images du plan</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Pas visible ici : revenir dessus</translation>
   </message>
   <message>
-   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>Les flèches vont d’image en image, avec Maj elles marquent un passage, Échap l’oublie</translation>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Changer la classe en (échange avec une annotée)</translation>
   </message>
   <message>
-   <source>anchor</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>ancre</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Point {number} de {title}</translation>
   </message>
   <message>
-   <source>followed</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>suivie</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>Fusionner dans</translation>
   </message>
   <message>
-   <source>bridged</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>comblée</translation>
-  </message>
-  <message>
-   <source>lost</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>perdue</translation>
-  </message>
-  <message>
-   <source>frame {number} of {first}–{last}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>image {number} de {first}–{last}</translation>
-  </message>
-  <message>
-   <source>{state}, {share:.0%} of the lines on paint</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{state}, {share:.0%} des lignes sur de la peinture</translation>
-  </message>
-  <message>
-   <source>names count by {step}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>les noms comptent de {step} en {step}</translation>
-  </message>
-  <message>
-   <source>its camera was dragged</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>sa caméra a été glissée</translation>
-  </message>
-  <message>
-   <source>blind: its camera is hidden</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>aveugle : sa caméra est cachée</translation>
-  </message>
-  <message>
-   <source>{found}, {far:.1f} px from it</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{found}, à {far:.1f} px</translation>
-  </message>
-  <message>
-   <source>doubtful: {why}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>douteuse : {why}</translation>
-  </message>
-  <message>
-   <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>rien n’a changé : déjà régulier, ou aucune ligne peinte n’y a été trouvée</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copié de {frame}, le long du suivi ; Maj+V confirme tout</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copié de {frame}, déplacé avec la caméra ; Maj+V confirme tout</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copié de {frame}, tel quel : aucun mouvement trouvé ; Maj+V confirme tout</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>annulé : rien n’est régularisé</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>annulé : rien n’est copié</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>l’image a été quittée : rien n’a été régularisé</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>l’image a été quittée : rien n’a été copié</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{n} point non confirmé par la peinture</numerusform>
-    <numerusform>{n} points non confirmés par la peinture</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>régulariser {what}</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>copier de {frame}</translation>
-  </message>
-  <message>
-   <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>choisissez d’abord un élément annoté</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} élément</numerusform>
-    <numerusform>{n} éléments</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what} régularisé : {n} point</numerusform>
-    <numerusform>{what} régularisé : {n} points</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{element} a des coins ou n’est qu’un seul lieu : il reste tel quel</translation>
-  </message>
-  <message>
-   <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>aucun élément du terrain n’est annoté ici</translation>
-  </message>
-  <message>
-   <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>aucune image avant celle-ci n’est annotée</translation>
-  </message>
-  <message>
-   <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} n’a aucun élément qui manque ici</translation>
-  </message>
-  <message>
-   <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} devient {other}</translation>
-  </message>
-  <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>échanger {element} et {other}</translation>
-  </message>
-  <message>
-   <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>dupliquer {element} en {other}</translation>
-  </message>
-  <message>
-   <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>fusionner {element} dans {other}</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>fermer les écarts</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>confirmer {n} élément</numerusform>
-    <numerusform>confirmer {n} éléments</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>écarter {n} élément non confirmé</numerusform>
-    <numerusform>écarter {n} éléments non confirmés</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} est sa propre classe symétrique</translation>
-  </message>
-  <message numerus="yes">
-   <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{elements} est déjà annoté</numerusform>
-    <numerusform>{elements} sont déjà annotés</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} est là où est {other} : glissez-le à sa place</translation>
-  </message>
-  <message>
-   <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>inverser {element}</translation>
-  </message>
-  <message>
-   <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>choisissez d’abord le point où couper (mode édition)</translation>
-  </message>
-  <message>
-   <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>couper {element}</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} élément confirmé</numerusform>
-    <numerusform>{n} éléments confirmés</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>rien n’est à confirmer sur cette image</translation>
-  </message>
-  <message>
-   <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>aucun bout n’est si près d’un coin ou du bord de l’image</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} élément non confirmé écarté</numerusform>
-    <numerusform>{n} éléments non confirmés écartés</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>un élément se coupe à un point entre ses bouts, vers une classe libre</translation>
-  </message>
-  <message>
-   <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} a été changé ailleurs : regardez-le à nouveau</translation>
-  </message>
-  <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} point</numerusform>
-    <numerusform>{n} points</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>la caméra est une autre entre-temps</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>accepter {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} fantôme</numerusform>
-    <numerusform>{n} fantômes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} fantômes sur {total}</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} accepté</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>l’image a été modifiée entre-temps</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>la recherche de la ligne sur {frame} a pris trop de temps</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} n’est pas accepté : {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Accepter tous les fantômes</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} accepté sur {frame}</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté : {why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} n’est pas accepté</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} est accepté dès que ses points sont trouvés</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>allez d’abord à un fantôme (Tab) ou choisissez un élément</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : {why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes en mode aveugle, jusqu’à la remise de l’image (Ctrl+Entrée)</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : l’ajustement continu est désactivé (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>terminez d’abord ce qui est dessiné (Entrée), ou abandonnez-le (Échap)</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra ne s’ajuste encore</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>il est dessiné à la main</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} n’est pas visible ici ; Ctrl+. l’annule</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} est peut-être de nouveau visible ici</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aucun élément de cette image n’a été dit non visible</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>c’était le dernier fantôme</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>allez d’abord à un fantôme (Tab)</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{off} ; choisissez d’abord un élément</translation>
-  </message>
-  <message>
-   <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Nom de la ligne</translation>
-  </message>
-  <message>
-   <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Quelle est cette ligne ?</translation>
-  </message>
-  <message>
-   <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} est une courbe, que deux points ne montrent pas : continuer à cliquer</translation>
-  </message>
-  <message>
-   <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} est déjà annoté</translation>
-  </message>
-  <message>
-   <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>La laisser sans nom</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Seules la longueur et la largeur se trouvent d’après les images, et les règles fixent celles de ce terrain</translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>là où les règles mesurent</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>le milieu de la peinture</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Dimensions du terrain : {field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Estimer d’après ce jeu</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Garder pour ce jeu de données</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Nominales</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Le terrain tel que le prennent les évaluations officielles</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>nominal {nominal:g} m, les règles permettent de {minimum:g} à {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} image</numerusform>
-    <numerusform>{n} images</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} stade</numerusform>
-    <numerusform>{n} stades</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les clics sont sur :</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Garder le terrain, et ne plus parler de ces classes</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Le jeu de données s’en souvient et n’est plus interrogé</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Non, {field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Le terrain de ce jeu de données</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Descriptions de terrains (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{why}, mais {file} dans le dossier du jeu décide</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Oui, {field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Passer à {field}</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
-    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
-    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>les règles fixent toutes les dimensions du terrain {field}</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Instant</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} groupe de {least} à {most}</numerusform>
-    <numerusform>{frames} en {n:,} groupes de {least} à {most}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} groupe</numerusform>
-    <numerusform>{frames} en {n:,} groupes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Groupes d’images</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} instant avec une seule image</numerusform>
-    <numerusform>{n:,} instants avec une seule image</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} nom ne convient pas (à la fin de la table)</numerusform>
-    <numerusform>{n:,} noms ne conviennent pas (à la fin de la table)</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Grouper les vues</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Motif des noms d’images</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Écrire {file}</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Garder ces groupes dans le dossier du jeu</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>Ce qu’il dit maintenant est perdu, avec tout ce qui y est écrit.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} de {n:,} instant</numerusform>
-    <numerusform>{frames} de {n:,} instants</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image, non groupée.</numerusform>
-    <numerusform>{n:,} images, aucune groupée.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} existe déjà : {sizes}.</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} groupe désormais {sizes}</translation>
-  </message>
-  <message>
-   <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Ce qui en est sorti</translation>
-  </message>
-  <message>
-   <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Importer des annotations</translation>
-  </message>
-  <message>
-   <source>Import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Importer</translation>
-  </message>
-  <message>
-   <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Annotations à importer</translation>
-  </message>
-  <message>
-   <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Regarder dans les fichiers</translation>
-  </message>
-  <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Seulement les images où rien n’est encore annoté</translation>
-  </message>
-  <message>
-   <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Remplacer aussi ce qui est annoté dans les autres</translation>
-  </message>
-  <message>
-   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Ce qui y était reste parmi les versions antérieures de l’image, et annuler le ramène</translation>
-  </message>
-  <message>
-   <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Annotations</translation>
-  </message>
-  <message>
-   <source>Format</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Format</translation>
-  </message>
-  <message>
-   <source>Import into</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Importer dans</translation>
-  </message>
-  <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Les images sont appariées par le nom de leur fichier.</translation>
-  </message>
-  <message>
-   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Annotations (*.json *.xml *.zip);;Tous les fichiers (*)</translation>
-  </message>
-  <message>
-   <source>Export as</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Exporter sous</translation>
-  </message>
-  <message>
-   <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Une archive zip au lieu d’un dossier</translation>
-  </message>
-  <message>
-   <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Remplacer les fichiers existants</translation>
-  </message>
-  <message>
-   <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Garder les éléments pour lesquels SoccerNet n’a pas de classe</translation>
-  </message>
-  <message>
-   <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Largeur des lignes</translation>
-  </message>
-  <message>
-   <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Copier aussi les images</translation>
-  </message>
-  <message>
-   <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Exporter dans un dossier</translation>
-  </message>
-  <message>
-   <source>Keeps {holds}.
-Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Garde {holds}.
-Perd {loses}.</translation>
-  </message>
-  <message>
-   <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
-   <translation>Abandonner</translation>
-  </message>
-  <message>
-   <source>Close</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Fermer</translation>
-  </message>
-  <message>
-   <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Un dossier, une archive zip ou un seul fichier</translation>
-  </message>
-  <message>
-   <source>File…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Fichier…</translation>
-  </message>
-  <message>
-   <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Dossier…</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Archive zip (*.zip)</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} annotation</numerusform>
-    <numerusform>{n:,} annotations</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>JaC de {n:,} image</numerusform>
-    <numerusform>JaC de {n:,} images</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{source} est fait des clics d’après lesquels il serait noté : jugez les caméras à noter (procc-annotator calibrate ajuste et note un jeu)</translation>
-  </message>
-  <message>
-   <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{annotations} et {scores}</translation>
-  </message>
-  <message>
-   <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>rien : aucune image n’est annotée</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Archive zip (*.zip);;Dossier (*)</translation>
-  </message>
-  <message>
-   <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Table (*.csv);;JSON (*.json)</translation>
-  </message>
-  <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
-  </message>
-  <message>
-   <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>aveugle : aucune image n’est encore remise, donc pas de JaC à montrer</translation>
-  </message>
-  <message>
-   <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{what} exporté vers {path}</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>tout n’a pas pu être enregistré : l’export a le dernier état enregistré</translation>
-  </message>
-  <message numerus="yes">
-   <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>le mode aveugle laisse de côté {n:,} image pas encore remise</numerusform>
-    <numerusform>le mode aveugle laisse de côté {n:,} images pas encore remises</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} fichier illisible : {problem}</numerusform>
-    <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Exporter</translation>
-  </message>
-  <message>
-   <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>export {done} / {total}</translation>
-  </message>
-  <message>
-   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>{frames}, {elements} et {points} écrits dans {path} ({format}).</translation>
-  </message>
-  <message>
-   <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Tout n’a pas pu être enregistré : ce qui est sur le disque vaut.</translation>
-  </message>
-  <message>
-   <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>export : annulé ; les fichiers déjà écrits sont encore là</translation>
-  </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
-  </message>
-  <message>
-   <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Annulé ; les fichiers déjà écrits sont encore là.</translation>
-  </message>
-  <message>
-   <source>Not written</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Non écrits</translation>
-  </message>
-  <message>
-   <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Ce que le format ne peut pas contenir</translation>
-  </message>
-  <message>
-   <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>l’ajustement de {frame} est enregistré comme {path}</translation>
-  </message>
-  <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
-  </message>
-  <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>l’ajustement continu est désactivé (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>aveugle : l’ajustement est caché jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>pas de caméra à enregistrer : {why}</translation>
-  </message>
-  <message>
-   <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>l’ajustement est en cours de recalcul : enregistrez-le dans un instant</translation>
-  </message>
-  <message>
-   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame} : l’image est illisible, si bien que les pixels de la caméra n’ont pas de taille ; non enregistré</translation>
-  </message>
-  <message>
-   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>enregistré comme {path}, mais les caméras chargées n’ont pu être relues : {problem}</translation>
-  </message>
-  <message>
-   <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{saved} ; il est à peine déterminé : {why}</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Importer…</translation>
-  </message>
-  <message>
-   <source>Take these annotations in; their files stay as they are</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Reprendre ces annotations ; leurs fichiers restent tels quels</translation>
-  </message>
-  <message>
-   <source>Leave them, and say nothing more of them</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Les laisser, et ne plus en parler</translation>
-  </message>
-  <message>
-   <source>Annotations of another program lie in this dataset: {format}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Des annotations d’un autre programme se trouvent dans ce jeu : {format}.</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{edited} sur {n:,} image importée ({format}).</numerusform>
-    <numerusform>{edited} sur {n:,} images importées ({format}).</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>Annulé : {n:,} image n’a pas été regardée.</numerusform>
-    <numerusform>Annulé : {n:,} images n’ont pas été regardées.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image est déjà annotée et reste inchangée.</numerusform>
-    <numerusform>{n:,} images sont déjà annotées et restent inchangées.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image contient déjà la même chose.</numerusform>
-    <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>importer</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{edited} sur {n:,} image importée</numerusform>
-    <numerusform>{edited} sur {n:,} images importées</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Annulé ; rien n’a été importé.</translation>
-  </message>
-  <message>
-   <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Laissées telles quelles</translation>
-  </message>
-  <message>
-   <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Illisibles</translation>
-  </message>
-  <message>
-   <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Sans image ici ({n})</translation>
-  </message>
-  <message>
-   <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Changées ou laissées de côté</translation>
-  </message>
-  <message>
-   <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>elle n’a pas pu être enregistrée : {why}</translation>
-  </message>
-  <message>
-   <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>? (reste telle quelle, une classe inconnue)</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>Laisser de côté</translation>
-  </message>
-  <message>
-   <source>Label</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Étiquette</translation>
-  </message>
-  <message>
-   <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Formes</translation>
-  </message>
-  <message>
-   <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Signifie</translation>
-  </message>
-  <message>
-   <source>Why</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Pourquoi</translation>
-  </message>
-  <message>
-   <source>sure</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>sûr</translation>
-  </message>
-  <message>
-   <source>likely</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>probable</translation>
-  </message>
-  <message>
-   <source>to be said</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>à dire</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
-    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Ces noms ressemblent plus à ceux de {field} : choisissez d’abord ce terrain (Fichier &gt; Terrain).</translation>
-  </message>
-  <message>
-   <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Noms d’un autre programme</translation>
-  </message>
-  <message>
-   <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Garder ces noms avec le jeu de données ({file})</translation>
-  </message>
-  <message>
-   <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Ce que signifie {label}</translation>
-  </message>
-  <message>
-   <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Ajouter ces noms à {file} du jeu, réécrit</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Images</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Vidéos</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>l’exemple vient avec le code source, pas ici</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Caméras</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Ouvrir un dossier d’images</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Ouvrir une image</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Ouvrir une vidéo</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>Ouvrir le dossier d’un second annotateur</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, sans la légende</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>PNG : pixels, rien n’est perdu</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>JPEG : pixels, petit</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>SVG : lignes et texte restent nets</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Image (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Enregistrer l’image superposée</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Expliquer couleurs, tirets et marques sous l’image</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Type</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Échelle</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Résultat</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Légende</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>écriture de l’image superposée {path} …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>ouvrez d’abord une image</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>image superposée écrite dans {path}</translation>
-  </message>
-  <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>Exporter la vue d’ensemble</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image exportée vers {path}</numerusform>
-    <numerusform>{n:,} images exportées vers {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>le jeu était encore en cours de notation : des images n’ont pas encore de JaC</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Une image toutes les</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>La première image de chaque scène</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>Terrain</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Lecture de {file}</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Recherche de coupes dans {file}</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>cette image est déjà un fichier</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>gardée comme {path}</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Lever le mode aveugle montre caméras, fantômes et ajustement à tous ceux qui annotent ce jeu. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Lever le mode aveugle vous montre caméras, fantômes et ajustement ; pour les autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Lever le mode aveugle</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Lever, et le consigner</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Le laisser imposé</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>erreur</translation>
-  </message>
-  <message>
-   <source>warning</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>avertissement</translation>
-  </message>
-  <message>
-   <source>hint</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>remarque</translation>
-  </message>
-  <message>
-   <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>constat {place} sur {total}, {severity} : {elements}</translation>
-  </message>
-  <message>
-   <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>aucun constat n’est aussi sûr que le panneau Vérification le demande</translation>
-  </message>
-  <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n} élément renommé</numerusform>
-    <numerusform>{n} éléments renommés</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image vérifiée, modèle de caméra {model} : {found}</numerusform>
-    <numerusform>{n:,} images vérifiées, modèle de caméra {model} : {found}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image vérifiée</numerusform>
-    <numerusform>{n:,} images vérifiées</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} et {other}</translation>
-  </message>
-  <message>
-   <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la vérification des classes examine encore cette image</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
-  </message>
-  <message>
-   <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{done} ; Ctrl+Z l’annule</translation>
-  </message>
-  <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>point {n} de {element} retiré</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} et {other} échangés</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} renommé en {other}</translation>
-  </message>
-  <message>
-   <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image ne peut être vérifiée</numerusform>
-    <numerusform>{n:,} images ne peuvent être vérifiées</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Exporter les constats</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} constat de {frames} exporté vers {path}</numerusform>
-    <numerusform>{n:,} constats de {frames} exportés vers {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la vérification des classes n’a rien trouvé</translation>
-  </message>
-  <message>
-   <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>point de {element} retiré</translation>
-  </message>
-  <message>
-   <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>allez d’abord à un constat (F10)</translation>
-  </message>
-  <message>
-   <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la vérification des classes n’a rien trouvé sur cette image</translation>
-  </message>
-  <message>
-   <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>rien trouvé</translation>
-  </message>
-  <message>
-   <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>aucun remède connu : {reason}</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>aucune autre image n’est rejetée</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>{frame} est {status}</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>toutes les images après celle-ci sont terminées ou approuvées</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>toutes les images avant celle-ci sont terminées ou approuvées</translation>
-  </message>
-  <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>le mode aveugle laisse de côté {n} sur des images non remises</translation>
-  </message>
-  <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{frame} : plus de verdict sur {source}</translation>
-  </message>
-  <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Note sur le verdict</translation>
-  </message>
-  <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Ce qui est faux ici :</translation>
-  </message>
-  <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Exporter les verdicts</translation>
-  </message>
-  <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>aveugle : aucune image remise n’a de verdict</translation>
-  </message>
-  <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} verdict exporté vers {path}</numerusform>
-    <numerusform>{n:,} verdicts exportés vers {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>un verdict porte sur une image et une caméra : chargez d’abord des caméras</translation>
-  </message>
-  <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
-  </message>
-  <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
-  </message>
-  <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
-  </message>
-  <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>restaurer une version antérieure</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>la version antérieure est de retour ; ce qui était illisible reste comme version</translation>
-  </message>
-  <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
-  </message>
-  <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Il n’y a pas de version antérieure de cette image.</translation>
-  </message>
-  <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
-  </message>
-  <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>illisible</translation>
-  </message>
-  <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>vide</translation>
-  </message>
-  <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>comme maintenant</translation>
-  </message>
-  <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>autres éléments</translation>
-  </message>
-  <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>points déplacés</translation>
-  </message>
-  <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>C’est ce que l’image contient maintenant.</translation>
-  </message>
-  <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
-  </message>
-  <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Versions antérieures</translation>
-  </message>
-  <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Restaurer</translation>
-  </message>
-  <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>%d/%m/%Y, %H:%M:%S</translation>
-  </message>
-  <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>{n} de plus</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>pas encore de JaC : chargez d’abord des caméras</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>aucune image notée où aller</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>comparaison de {source} et {other} sur le jeu</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} et {other} ne peuvent être comparées au sol sur aucune image</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>comparaison des sources arrêtée</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>c’est la pire ; une fois de plus continue</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>aucune autre image n’est notée</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>à partir de la pire à nouveau</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>deux sources sont déjà en cours de comparaison</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} et {other} sont comparées</translation>
-  </message>
-  <message>
-   <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>elle est annotée entre-temps</translation>
-  </message>
-  <message>
-   <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>elle a été modifiée depuis</translation>
-  </message>
-  <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
-  </message>
-  <message>
-   <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
-  </message>
-  <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
-  </message>
-  <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image acceptée le long du suivi</numerusform>
-    <numerusform>{n:,} images acceptées le long du suivi</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Ctrl+Z les annule</translation>
-  </message>
-  <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>annulé : {n:,} image acceptée le long du suivi</numerusform>
-    <numerusform>annulé : {n:,} images acceptées le long du suivi</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image laissée : {why}</numerusform>
-    <numerusform>{n:,} images laissées : {why}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>recherche de peinture le long du suivi</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aucune image acceptée : {why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>accepter le suivi</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>revenir sur le suivi</translation>
-  </message>
-  <message>
-   <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>rien n’a été accepté qui puisse être annulé</translation>
-  </message>
-  <message>
-   <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>annulé : aucune image n’est acceptée</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image suivie, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
-    <numerusform>{n:,} images suivies, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>suivi : {done} images sur {total}  ·  T arrête</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image suivie, sûre ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
-    <numerusform>{n:,} images suivies, toutes sûres ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>recherche des bouts du plan …  T arrête</translation>
-  </message>
-  <message>
-   <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>le plan n’a pu être suivi : {why}</translation>
-  </message>
-  <message>
-   <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>seule une vidéo, ou des images qui se suivent, peut être suivie</translation>
-  </message>
-  <message>
-   <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
-  </message>
-  <message>
-   <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>arrêté ; ce qui est suivi jusqu’ici reste</translation>
-  </message>
-  <message>
-   <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>arrêté ; rien n’a été suivi</translation>
-  </message>
-  <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>aucune image après celle-ci n’est annotée</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>aucune image après celle-ci n’est douteuse</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>aucune image avant celle-ci n’est douteuse</translation>
-  </message>
-  <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
-  </message>
-  <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>aucun plan n’a encore été suivi (T)</translation>
-  </message>
-  <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>ces images ne se suivent pas</translation>
-  </message>
-  <message>
-   <source>Jaccard index of this frame at tau</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Indice de Jaccard de cette image à tau</translation>
-  </message>
-  <message>
-   <source>The camera set that is judged (C switches)</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Le jeu de caméras qui est jugé (C change)</translation>
-  </message>
-  <message>
-   <source>What the score is computed with: {terms}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Avec quoi le score est calculé : {terms}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; de l’ajustement</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
-  </message>
-  <message>
-   <source>Three steps to a frame</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Une image en trois étapes</translation>
-  </message>
-  <message>
-   <source>Click the two ends of a painted line, then Enter</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Cliquer les deux bouts d’une ligne peinte, puis Entrée</translation>
-  </message>
-  <message>
-   <source>{keys}: points along every line, on its paint</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys} : des points le long de chaque ligne, sur sa peinture</translation>
-  </message>
-  <message>
-   <source>{keys}, then Enter: take what the camera expects</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}, puis Entrée : prendre ce que la caméra attend</translation>
-  </message>
-  <message>
-   <source>Put the three steps away for ever (Help has the user guide)</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Ranger les trois étapes pour toujours (le guide est dans Aide)</translation>
-  </message>
-  <message>
-   <source>Put the three steps away</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>Ranger les trois étapes</translation>
-  </message>
-  <message>
-   <source>{step}, done</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{step}, fait</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title}, non confirmé</translation>
   </message>
   <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
@@ -6767,9 +6349,29 @@ Perd {loses}.</translation>
    <translation>Entrée exécute · ↑ ↓ choisissent · Échap ferme</translation>
   </message>
   <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Panneau</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Paramètre</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ouvrir</translation>
+  </message>
+  <message>
    <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Rien ne s’appelle « {text} ».</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Image {number} sur {count}</translation>
   </message>
   <message>
    <source>An action, element, frame, camera source, folder, number</source>
@@ -6785,6 +6387,51 @@ Perd {loses}.</translation>
    <source>What fits</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Ce qui convient</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Aller à cette image</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juger {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juger avec cette source</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ajustement continu : modèle {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ajuster ce modèle aux clics ; auto prend le plus simple qu’ils permettent</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Panneau {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ouvrir ce panneau et le mettre devant</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Seuil {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juger les éléments avec ce tau</translation>
   </message>
   <message>
    <source>on</source>
@@ -6829,139 +6476,6 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>chargez un second jeu de caméras pour comparer (Ctrl+L)</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Fantôme de {title}</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Accepter</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Regarder de près</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
-   <translation>Pas visible ici</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Dessin de {title}</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Couper ici : le reste devient</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Pas visible ici : revenir dessus</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Changer la classe en (échange avec une annotée)</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Point {number} de {title}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Fusionner dans</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title}, non confirmé</translation>
-  </message>
-  <message>
-   <source>Annotate</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Annoter</translation>
-  </message>
-  <message>
-   <source>Judge</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Juger</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Relire</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>Postes de travail</translation>
-  </message>
-  <message>
-   <source>Scores</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Scores</translation>
-  </message>
-  <message>
-   <source>Fit</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Ajustement</translation>
-  </message>
-  <message>
-   <source>Check</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Vérification</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
-   <translation>Graphiques</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Relecture</translation>
-  </message>
-  <message>
-   <source>Agreement</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Accord</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>Ouvrir les graphiques sous l’image</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>Fermer les graphiques</translation>
-  </message>
-  <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>erreur inattendue ({what}) ; l’enregistrement continue, les détails sont dans {path}</translation>
-  </message>
-  <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>les détails sont copiés ; ils sont aussi dans {path}</translation>
-  </message>
-  <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>il n’y a pas eu d’erreur inattendue ; elles sont consignées dans {path}</translation>
-  </message>
-  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>Chercher des mots dans cette page</translation>
@@ -6982,133 +6496,128 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Titres</translation>
   </message>
   <message>
-   <source>{one} or {other}</source>
-   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
-   <translation>{one} ou {other}</translation>
-  </message>
-  <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Dans l’image</translation>
-  </message>
-  <message>
-   <source>Keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
-   <translation>Touches</translation>
-  </message>
-  <message>
-   <source>Search: a word, or a key. A click does what a row says.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Recherche : un mot ou une touche. Un clic fait ce que dit une ligne.</translation>
-  </message>
-  <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Chercher dans les touches</translation>
-  </message>
-  <message>
-   <source>Actions and their keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Actions et leurs touches</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
-  </message>
-  <message>
-   <source>Choose an element</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Choisir un élément</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Vos propres touches</translation>
   </message>
   <message>
    <source>Keys (*.json)</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Touches (*.json)</translation>
   </message>
   <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Dans l’image</translation>
+  </message>
+  <message>
    <source>{menu}: {action}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu} : {action}</translation>
   </message>
   <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Recherche : un mot ou une touche. Un clic fait ce que dit une ligne.</translation>
+  </message>
+  <message>
    <source>Search: a word, or a key</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Recherche : un mot ou une touche</translation>
   </message>
   <message>
    <source>Choose a row, then press its keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Choisir une ligne, puis presser ses touches</translation>
   </message>
   <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>{one} ou {other}</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, the action keys]</extracomment>
+   <translation>Touches</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Chercher dans les touches</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
+  </message>
+  <message>
    <source>Change keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Changer les touches</translation>
   </message>
   <message>
    <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Recherche</translation>
   </message>
   <message>
    <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Toutes les touches d’un coup</translation>
   </message>
   <message>
    <source>Only these</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Seulement celles-ci</translation>
   </message>
   <message>
    <source>No keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Aucune touche</translation>
   </message>
   <message>
    <source>Usual keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Touches habituelles</translation>
   </message>
   <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Importer…</translation>
+  </message>
+  <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ Des touches qui appellent deux actions n’en appellent aucune : donnez-en d’autres à l’une d’elles.</translation>
   </message>
   <message>
    <source>Export keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Exporter les touches</translation>
   </message>
   <message>
    <source>Import keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Importer des touches</translation>
   </message>
   <message>
    <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ aussi : {what}</translation>
   </message>
   <message>
    <source>New keys: press them here</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Nouvelles touches : pressez-les ici</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>{file} : {error} ; les touches restent ce qu’elles sont</translation>
   </message>
   <message>
    <source>Action or element</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Action ou élément</translation>
   </message>
   <message>
@@ -7117,104 +6626,24 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>{action} : {step}</translation>
   </message>
   <message>
-   <source>Panel</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Panneau</translation>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>erreur inattendue ({what}) ; l’enregistrement continue, les détails sont dans {path}</translation>
   </message>
   <message>
-   <source>Setting</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Paramètre</translation>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>les détails sont copiés ; ils sont aussi dans {path}</translation>
   </message>
   <message>
-   <source>Open</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ouvrir</translation>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>il n’y a pas eu d’erreur inattendue ; elles sont consignées dans {path}</translation>
   </message>
   <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Image {number} sur {count}</translation>
-  </message>
-  <message>
-   <source>Go to this frame</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Aller à cette image</translation>
-  </message>
-  <message>
-   <source>Judge {source}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Juger {source}</translation>
-  </message>
-  <message>
-   <source>Judge with this source</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Juger avec cette source</translation>
-  </message>
-  <message>
-   <source>Live fit: model {model}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajustement continu : modèle {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajuster ce modèle aux clics ; auto prend le plus simple qu’ils permettent</translation>
-  </message>
-  <message>
-   <source>Panel {title}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Panneau {title}</translation>
-  </message>
-  <message>
-   <source>Open this panel and bring it to the front</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ouvrir ce panneau et le mettre devant</translation>
-  </message>
-  <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Seuil {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Juger les éléments avec ce tau</translation>
-  </message>
-  <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Barre d’outils</translation>
-  </message>
-  <message>
-   <source>Picture
-Brightness, contrast, gamma, line enhance: only what you see changes</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>Image
-Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez change</translation>
-  </message>
-  <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>enregistré {time}</translation>
-  </message>
-  <message numerus="yes">
-   <source>NOT SAVED: {n} frames</source>
-   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>
-    <numerusform>NON ENREGISTRÉE : {n} image</numerusform>
-    <numerusform>NON ENREGISTRÉES : {n} images</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>saving...</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>enregistrement...</translation>
-  </message>
-  <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>aucun changement</translation>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
   </message>
   <message>
    <source>Search the settings</source>
@@ -7282,43 +6711,73 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   </message>
   <message>
    <source>scoring {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>notation {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Camera &gt; Stop scoring the set ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Caméra &gt; Arrêter de noter le jeu y met fin</translation>
   </message>
   <message>
    <source>comparing {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>comparaison {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>ghosts {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>fantômes {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Esc ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Échap y met fin</translation>
   </message>
   <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Barre d’outils</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Image
+Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez change</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Indice de Jaccard de cette image à tau</translation>
+  </message>
+  <message>
    <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Seuil tau : un élément passe si tous ses points sont plus proches (+ et -)</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
-   <translation>Seuil tau</translation>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>enregistré {time}</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
-   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Le jeu de caméras qui est jugé (C change)</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Avec quoi le score est calculé : {terms}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>
+    <numerusform>NON ENREGISTRÉE : {n} image</numerusform>
+    <numerusform>NON ENREGISTRÉES : {n} images</numerusform>
+   </translation>
   </message>
   <message>
    <source>Top bar</source>
@@ -7339,6 +6798,36 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Cliquer pour en choisir un autre</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Seuil tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; de l’ajustement</translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>enregistrement...</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>aucun changement</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -7386,9 +6875,67 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Rien n’a encore été ouvert</translation>
   </message>
   <message>
-   <source>unexpected error ({what})</source>
-   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>erreur inattendue ({what})</translation>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Scores</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Ajustement</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Vérification</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py, the action plots]</extracomment>
+   <translation>Graphiques</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Relecture</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Accord</translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Annoter</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Juger</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Relire</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Ouvrir les graphiques sous l’image</translation>
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Fermer les graphiques</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Postes de travail</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -8695,16 +8242,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Voir toutes les versions enregistrées de cette image et en restaurer une</translation>
   </message>
   <message>
-   <source>Overview of the set…</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>Vue d’ensemble du jeu…</translation>
-  </message>
-  <message>
-   <source>Counts per status and class, progress, time per frame</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>Nombres par état et par classe, avancement, temps par image</translation>
-  </message>
-  <message>
    <source>Group views…</source>
    <extracomment>[the action group_views]</extracomment>
    <translation>Grouper les vues…</translation>
@@ -9148,6 +8685,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>Les couleurs disent comment la caméra est jugée</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
+   <translation>Classe</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>

@@ -764,7 +764,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
    <translation>取り消し</translation>
   </message>
   <message>
@@ -819,7 +819,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>フレーム</translation>
   </message>
   <message>
@@ -829,12 +829,12 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
    <translation>表示</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/command_palette.py, the menus]</extracomment>
    <translation>カメラ</translation>
   </message>
   <message>
@@ -843,9 +843,2450 @@
    <translation>ヘルプ</translation>
   </message>
   <message>
-   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
-   <extracomment>[procc_annotator/gui/decimal_box.py]</extracomment>
-   <translation>{number:g} は不可: {least:g}～{most:g}{unit}</translation>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/canvas/annotation_preview.py]</extracomment>
+   <translation>画像を表示できません</translation>
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>ここには動かせるカメラがありません</translation>
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>取り消しました：カメラは動かす前に戻りました</translation>
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>ブラインドモード：カメラは表示されません</translation>
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>重ね描きは非表示です（Ctrl+H）</translation>
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>ホモグラフィは回せません。別のモデルを選んでください（当てはめパネル）</translation>
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>離すとここに残ります</translation>
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Esc で元に戻します</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>{n} 本の杭がカメラを留めています</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>カメラ</translation>
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>杭を取り除きました：残り {n} 本</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>杭を取り除きました：カメラは求めたときのままです</translation>
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>杭</translation>
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>ワイヤーフレームの線を押してください</translation>
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>ドラッグでこの杭を動かす</translation>
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>クリックで取り除く</translation>
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>ワイヤーフレームの場所を正しい位置へドラッグ</translation>
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>{title} を正しい位置へドラッグ：カメラが追従</translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Ctrl+Z で取り消し</translation>
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>移動</translation>
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>ドラッグで画像を動かす</translation>
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>クリックと Enter は何もしません</translation>
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>Esc でツールに戻る</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>画像</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>2 つを切り替えて見るには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>十字カーソル：矢印キーで移動（Shift 0.1 px、Ctrl 10 px、Ctrl+Shift 100 px）、Space でクリック、Esc で消す</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>まず線を指してください：マウスまたは矢印キーで</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>ここには点を置ける線がありません</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>カメラを読めません</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>ここにはカメラなし</translation>
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>明るさ</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>コントラスト</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>ガンマ</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>線の強調</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>擦れた線や影の中の線を際立たせます</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>リセット</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>画像をそのまま表示します</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>変わるのは見え方だけで、ファイルは変わりません</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>すべての値をずらします</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>中間の灰色を中心に値を広げます</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>右へ動かすと暗い部分が明るくなります</translation>
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>次：{title}</translation>
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
+   <translation>{title}  ±{sd:.1f} px  不確か</translation>
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{title} の点はこのフレームにありません。削除する要素を選んでください</translation>
+  </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{frame} の {title} のクリック 1 つを未確認で保持しました：続けるにはそこで要素を選んでください</translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{frame} の {title} を {n} 点で終えました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>まず削除する要素を選んでください：フィールド図、一覧、またはそのキー</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} の {n} 点を捨てました</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>{title} を {n} 点で終えました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{titles}：別の場所で変更されました。もう一度確認してください</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>当てはめたカメラの精度</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>地面上のメートル、1 標準偏差</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>当てはめたカメラ（{model}）の精度</translation>
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m、オフサイド判定技術の要求</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>地面上のメートル、1 標準偏差、中央値 {median:.2f}</translation>
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>地面上のメートル</translation>
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m：見えるフィールドの {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>ブラインド：Ctrl+Enter までカメラを表示しません</translation>
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>ブラインドモード、このフレームは提出済み</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>
+    <numerusform>杭 {n} 本</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを移動、{pegs}、塗りに合わせて精密化：線の {share:.0%}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを移動、{pegs}、精密化できません：{why}</translation>
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>ドラッグで仕切りを動かします（矢印キーも可）</translation>
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>分割表示の仕切り</translation>
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを検出、不確か：{why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを移動、{pegs}</translation>
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>追跡のカメラ：Shift+Enter で要素を採用</translation>
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>画像からカメラを探しています…</translation>
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラが見つかりません：{why}</translation>
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを検出、確か：{why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを移動、{pegs}：線を探しています…</translation>
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>追跡のカメラ、不確か：{why}</translation>
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>変更なし：すでに整っているか、塗られた線が見つかりませんでした</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} から{what}を追跡に沿ってコピーしました。Shift+V ですべて確定</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} から{what}をカメラの動きに合わせてコピーしました。Shift+V ですべて確定</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} から{what}をそのままコピーしました：動きが求まりません。Shift+V ですべて確定</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>取り消しました：何も整えていません</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>取り消しました：何もコピーしていません</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>フレームを離れたため、何も整えませんでした</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>フレームを離れたため、何もコピーしませんでした</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>塗りで確かめられない点 {n} 個</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{what}を整える</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} からコピー</translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>まず注釈済みの要素を選んでください</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what}を整えました：{n} 点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{element} には角があるか 1 点だけなので、そのままにします</translation>
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>ここにはフィールドの要素が注釈されていません</translation>
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>これより前に注釈済みのフレームはありません</translation>
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} には、ここにない要素がありません</translation>
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} を {other} に変更</translation>
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} と {other} を入れ替え</translation>
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} を {other} として複製</translation>
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} を {other} に統合</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>すき間を閉じる</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個を確定</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>未確定の要素 {n} 個を捨てる</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>線の名前</translation>
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>この線は何ですか？</translation>
+  </message>
+  <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} は曲線で、2 点では表せません：クリックを続けてください</translation>
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} は自分自身が対称クラスです</translation>
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{elements} はすでに注釈済みです</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} が {other} と同じ位置にあります。所定の位置へ動かしてください</translation>
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} の向きを逆にする</translation>
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>まず分割する点を選んでください（編集モード）</translation>
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} を分割</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個を確定しました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>このフレームに未確定のものはありません</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} はすでに注釈されています</translation>
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>角や画像の縁にそれほど近い端はありません</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>未確定の要素 {n} 個を捨てました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>名前を付けない</translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>要素は両端以外の点で、空いているクラスへ分割します</translation>
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} は別の場所で変更されました。もう一度確認してください</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{accepted}：{points}、線の見え方 {share:.0%}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{elements} の {n} 端は見えません：点は手前で止まります</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>その間にカメラが変わりました</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what}を採用</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>ゴースト {n} 個</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{total} 中 {n} 個のゴースト</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{what}を採用しました</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} 端は見えません：点は手前で止まります</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>その間にフレームが編集されました</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{frame} で線を探すのに時間がかかりすぎました</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} は採用されません：{why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>すべてのゴーストを採用</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>ほかのすべてと一緒に採用するには、ゴーストの線がどれだけ見える必要があるか（%）：</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element}：沿った塗りの線が見つかりません。手でクリックするか、ここでは見えないとしてください（.）</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>カメラを当てはめ中です。ゴーストは少し後で採用してください</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません。線の見え方が {least:.0%} 未満：{ghosts}。Tab で順に見ます</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{frame} で{what}を採用しました</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません：線を探す画像がありません</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません：{why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} は採用されません</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>ゴーストを採用しました。新しい当てはめのゴーストを採用してください</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>描画中のものを終えました。新しい当てはめのゴーストを採用してください</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} は点が見つかり次第採用します</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>まずゴーストへ移るか（Tab）、要素を選んでください</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>最初のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描くか、ショットを追跡してください（T）</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>最後のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>まず画像のフォルダーを開いてください</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>カメラを当てはめ中です。ゴーストはまもなく現れます</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：画像からカメラを探しています</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：{why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：ほかに見えるものは注釈済みか、十分に確かではありません</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：要素を 3～4 個注釈するとカメラが求まります</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描いてください</translation>
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ブラインドモードでは、フレームを提出するまでゴーストはありません（Ctrl+Enter）</translation>
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：自動当てはめがオフです（Ctrl+T）</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：オフになっています（要素 &gt; ゴースト &gt; ゴーストを表示）</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>重ね描きが非表示のため、ゴーストは見えません（Ctrl+H、または X を離す）</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>まず描画中のものを終えるか（Enter）、取り消してください（Esc）</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>ゴーストなし：カメラを当てはめられませんでした</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>まだ合うカメラがありません</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>手で描いている最中です</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} はここで注釈済みです。まず削除してください（Ctrl+Delete）</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} はここでは見えません。Ctrl+. で取り消し</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} はここで再び見える可能性があります</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>このフレームで見えないとされた要素はありません</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>最後のゴーストでした</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>まずゴーストへ移ってください（Tab）</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{off}。まず要素を選んでください</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>フィールドはそのままとし、これらのクラスについて今後尋ねません</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>データセットが記憶し、今後は尋ねません</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>いいえ、{field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>このデータセットのフィールド</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>フィールドの定義 (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>これは {field} ですか？ここで注釈されたクラスは {field} のものです</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{why}。ただしデータセットのフォルダーの {file} が優先されます</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>はい、{field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{field} に切り替える</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{problem}。フィールドは変わりません：{field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>スコアは、公式評価が用いる公称フィールド（{nominal}）のものと異なります。計算に使った寸法が記されます。</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>独自の寸法（stadiums.csv）：{stadiums}の{frames}。ここでの入力は、それ以外と、スタジアムの定めていない寸法に使われます。</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>スコアは公式評価のものと異なります。公式評価では規則の測る位置を線とします。スコアにその旨が記されます。</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>規則では多くの線を塗りの縁で測ります。クリックは塗りの中央、つまり幅の半分だけ離れた位置に置かれます。屋内競技やカメラに近い場合など、差が問題になるときに選んでください。</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>フレームから求められるのは長さと幅だけで、このフィールドでは規則で決まっています</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m、{n} フレームから。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>規則の測る位置</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>塗りの中央</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} フレームのカメラから。± は 1 標準偏差。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>{remark}。元のままです。</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>フィールドの寸法：{field}</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>このセットから推定</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>このデータセットに保存</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>公称値</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>公式評価が用いるフィールド</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>公称 {nominal:g} m、規則では {minimum:g}～{maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;{number:g} m は不可：規則では {minimum:g}～{maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} フレーム</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} スタジアム</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>ブラインド：提出していないフレームは対象外です（{n}）。</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>読めないフレームは対象外です：{n}。</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>クリックの位置：</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>停止</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>フィールド {field} の寸法はすべて規則で決まっています</translation>
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>ブラインド：1 フレームを提出するとセットを調べます（Ctrl+Enter）。</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>同じ瞬間を別のカメラから写したフレームが 1 つのグループです。名前のパターンで指定します：&lt;b&gt;{instant}&lt;/b&gt; は撮影の瞬間、&lt;b&gt;{view}&lt;/b&gt; はカメラ、それ以外は文字どおりです。&lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; と &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; を含む正規表現も使えます。</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>これらの名前に合うパターンが見つかりません。書いてください。</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>今の内容は、そこに書かれたほかのすべてとともに失われます。</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>瞬間</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレーム</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}、{n:,} グループ（各 {least}～{most}）</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}、{n:,} 瞬間</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレーム、グループなし。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}、{n:,} グループ</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>フレームのグループ</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} はすでにあります：{sizes}。</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>以後 {file} が{sizes}をまとめます</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>フレームが 1 つだけの瞬間 {n:,}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>合わない名前 {n:,}（表の末尾）</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>この名前はパターンに合わないため、フレームは単独です</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>ビューをまとめる</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>フレーム名のパターン</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} に書き込む</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>これらのグループをデータセットのフォルダーに保存します</translation>
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>?（そのまま、未知のクラス）</translation>
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>除外する</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>ラベル</translation>
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>図形</translation>
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>対応先</translation>
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>理由</translation>
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>確か</translation>
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>有力</translation>
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>要指定</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>
+    <numerusform>{n} 個のラベルは {field} のクラスではありません。何に対応するかを指定してください。候補は、語と、図形がどの要素の上にあるかから選びました。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>これらの名前は {field} のものに近いようです。先にそのフィールドを選んでください（ファイル &gt; フィールド）。</translation>
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>ほかのプログラムの名前</translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>これらの名前をデータセットに保存する（{file}）</translation>
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>取り込む</translation>
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>{label} の対応先</translation>
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>結果</translation>
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>注釈を取り込む</translation>
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>取り込む注釈</translation>
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>ファイルを調べる</translation>
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>まだ注釈のないフレームだけ</translation>
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>ほかのフレームの注釈も置き換える</translation>
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>前の内容はフレームの以前の版に残り、元に戻すでも復元できます</translation>
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>注釈</translation>
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>形式</translation>
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>取り込み先</translation>
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>フレームは画像の名前で対応付けます。</translation>
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>注釈 (*.json *.xml *.zip);;すべてのファイル (*)</translation>
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>形式を選んで書き出す</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>書き出す…</translation>
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>フォルダーの代わりに 1 つの zip にする</translation>
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>既存のファイルを置き換える</translation>
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>SoccerNet にクラスのない要素も残す</translation>
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>線の幅</translation>
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>画像もコピーする</translation>
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>フォルダーに書き出す</translation>
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>残るもの：{holds}。
+失われるもの：{loses}。</translation>
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>これらの名前をデータセットの {file} に加え、書き直します</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <translation>取り消し</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>閉じる</translation>
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>フォルダー、zip、または 1 つのファイル</translation>
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>ファイル…</translation>
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>フォルダー…</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>zip (*.zip)</translation>
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frames}、{elements}、{points}を {path} に書き出しました（{format}）。</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 件の注釈</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームの JaC</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>すべては保存できませんでした：ディスク上の内容を書き出します。</translation>
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame} の当てはめを {path} に保存しました</translation>
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>保存するカメラがありません：当てはめがまだです</translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{source} は採点に使うクリック自身から作られています。採点するカメラを評価してください（procc-annotator calibrate はセットを当てはめて採点します）</translation>
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{annotations}と{scores}</translation>
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>書き出すものがありません：注釈のあるフレームがありません</translation>
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>書き出しを取り消しました。すでに書き出したファイルは残っています</translation>
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>何も書き出していません：注釈のあるフレームがないか、どれも書き出せませんでした。</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n:,} 個</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>自動当てはめはオフです（Ctrl+T）</translation>
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>ブラインド：このフレームを提出するまで当てはめは非表示です（Ctrl+Enter）</translation>
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>保存するカメラがありません：{why}</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>zip (*.zip);;フォルダー (*)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>表 (*.csv);;JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>概要を書き出す</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームを {path} に書き出しました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>セットはまだ採点中でした：JaC のないフレームがあります</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>まずカメラを読み込んでください：採点するものがありません</translation>
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>ブラインド：提出済みのフレームがまだないため、示せる JaC がありません</translation>
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{what}を {path} に書き出しました</translation>
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>取り消しました。すでに書き出したファイルは残っています。</translation>
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>書き出せなかったもの</translation>
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>この形式で保持できないもの</translation>
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>当てはめを計算し直しています。少し後で保存してください</translation>
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame}：画像を読めないため、カメラのピクセルの基準となるサイズがありません。保存していません</translation>
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{path} に保存しましたが、読み込んだカメラを読み直せませんでした：{problem}</translation>
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{saved}。ほぼ決まっていません：{why}</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>すべては保存できませんでした：書き出したのは最後に保存した状態です</translation>
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>ブラインドモードのため、未提出の {n:,} フレームを除きます</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} ファイルを読めませんでした：{problem}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>表 (*.csv)</translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>書き出す</translation>
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>書き出し {done} / {total}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレーム中 {edited} を取り込みました（{format}）。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>取り消しました：{n:,} フレームは調べていません。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームは注釈済みのため、そのままにしました。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームはすでに同じ内容です。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>取り込み</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレーム中 {edited} を取り込みました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>取り消しました。何も取り込んでいません。</translation>
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>そのままにしたもの</translation>
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>読めなかったもの</translation>
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>ここに画像のないもの（{n}）</translation>
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>変更または除外したもの</translation>
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>保存できませんでした：{why}</translation>
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>画像</translation>
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>動画</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>以前ここで開いたカメラがもうありません：{paths}</translation>
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>サンプルはソースに付属しており、ここにはありません</translation>
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>自分用のコピー（{folder}）。カメラはカメラメニューから読み込んでください</translation>
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>カメラのフォルダーを読み込む</translation>
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>カメラを読み込む</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>カメラ</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>以前ここで開いたカメラは開き直しません：{why}</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>画像のフォルダーを開く</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>画像を開く</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>動画を開く</translation>
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>2 人目の注釈者のフォルダーを開く</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px、凡例を除く</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px は大きすぎます。倍率を下げるか SVG を選んでください</translation>
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>PNG：ピクセル、劣化なし</translation>
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>JPEG：ピクセル、小さい</translation>
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>SVG：線と文字が鮮明なまま</translation>
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>画像 (*{suffix})</translation>
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>重ね描き画像を保存</translation>
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>画像の 1 px あたりの出力の px。線と文字も同じ比で大きくなります</translation>
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>色、破線、記号の意味を画像の下に示します</translation>
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>種類(&amp;K)</translation>
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>倍率(&amp;S)</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>結果</translation>
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>凡例(&amp;L)</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>重ね描き画像 {path} を書き出しています…</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>まず画像を開いてください</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{path}：元の画像そのものです。別の名前を選んでください</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>重ね描き画像を {path} に書き出しました</translation>
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>取り出す間隔</translation>
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>各場面の最初のフレーム</translation>
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>動画全体からカットを探します。しばらくかかります</translation>
+  </message>
+  <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>フィールド</translation>
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>{file} を読み込み中</translation>
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>{file} のカットを探しています</translation>
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>このフレームはすでに画像です</translation>
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>{path} に保存しました</translation>
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>フレームの書き出しは行いません。「この動画フレームを残す」で画像になります。</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{total} 中 {place} 番目に悪い：JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{total} 中 {place} 番目に悪い：最大誤差 {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{total} 中 {place} 番目に悪い：不一致の中央値 {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>JaC がまだありません。まずカメラを読み込んでください</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>ほかに差し戻しのフレームはありません</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{frame} は{status}です</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>移れるスコア付きのフレームがありません</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>セット全体で {source} と {other} を比較しています</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>これより後のフレームはすべて完了または承認済みです</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>これより前のフレームはすべて完了または承認済みです</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>不一致を見るにはソースが 2 つ必要です。カメラをもう 1 つ読み込んでください（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} と {other} を地面上で比較できるフレームがありません</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>ソースの比較を止めました</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>これが最も悪いフレームです。もう一度で次へ</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>ほかにスコアのあるフレームはありません</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>最も悪いフレームから再び</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>移れるスコア付きのフレームがありません：ブラインドモードでは提出済みのフレームだけを示します</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>すでに 2 つのソースを比較しています</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} と {other} を比較しました</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>エラー</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>警告</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>ヒント</translation>
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>指摘 {place} / {total}、{severity}：{elements}</translation>
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>検査パネルの設定ほど確かな指摘はありません</translation>
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個のクラスを変更しました</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームを検査、カメラモデル {model}：{found}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>検査済みの {n:,} フレーム</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} と {other}</translation>
+  </message>
+  <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>クラス検査はこのフレームをまだ調べています</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>クラス検査の指摘はありません。すべてのフレームを調べるにはセット全体を検査してください</translation>
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{done}。Ctrl+Z で取り消し</translation>
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} の点 {n} を取り除きました</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} と {other} を入れ替えました</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} を {other} に変更しました</translation>
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{elements} が変わるまで無視します。検査パネルで再び表示できます</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームは検査できません</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>指摘を書き出す</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{frames}の指摘 {n:,} 件を {path} に書き出しました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>クラス検査の指摘はありません</translation>
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>その後要素が変わったため、検査し直しました</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} の点を取り除きました</translation>
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>まず指摘へ移ってください（F10）</translation>
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>セットの検査を止めました。これまでの指摘は残ります</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>このフレームにクラス検査の指摘はありません</translation>
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>指摘なし</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>対処法がありません：{reason}</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解除すると、これに注釈する全員にカメラ、ゴースト、当てはめが表示されます。{author} が解除したことと日時がデータセットに記録されます。</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解除すると、あなたにカメラ、ゴースト、当てはめが表示されます。ほかの人には固定されていませんでした。{author} が解除したことと日時がデータセットに記録されます。</translation>
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ブラインドモードのため、未提出のフレームの {n} 件を除きます</translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ブラインドモードの固定を解除</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解除して記録する</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>固定したままにする</translation>
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{frame}：{source} への判定を取り消しました</translation>
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>判定へのメモ</translation>
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ここでの誤り：</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>判定を書き出す</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ブラインド：提出済みのフレームに判定がありません</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>まだ判定がありません。まずフレームを判定してください</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>
+    <numerusform>判定 {n:,} 件を {path} に書き出しました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>判定はフレームとカメラに対するものです。まずカメラを読み込んでください</translation>
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>ブラインド：このフレームを提出するまでカメラは非表示です（Ctrl+Enter）</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>まずフレームを判定してください：カメラの誤り、注釈の誤り、または問題なし</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>すべては保存できませんでした：数値は最後に保存した状態のものです</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} はクリックに従います。判定は読み込んだカメラに対するものです</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} はここで計算したものです。判定は読み込んだカメラに対するものです</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>このフレームに以前の版はありません。</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>現在との比較：{changes}。異なるもの：{elements}。</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>読めません</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>空</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>現在と同じ</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>要素が異なる</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>点が移動</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>フレームの現在の内容です。</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>現在との比較：同じ点で、要素の順序が異なります。</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>以前の版に戻す</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>以前の版</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>この版に戻す</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>%Y/%m/%d %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>ほか {n} 個</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>以前の版に戻しました。元に戻すで取り消せます</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>以前の版に戻しました。読めなかったものも版として残ります</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>フレームが別の場所で変更されました。確認してからもう一度戻してください</translation>
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>すでに注釈されました</translation>
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>その後編集されました</translation>
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>採用するフレームがありません。まずショットを追跡してください（T）。疑わしいフレームと注釈済みのフレームは除きます</translation>
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>ブラインドモード：クリックしていないものは採用しません</translation>
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>追跡に沿って塗りを探しています：{total} 中 {done} フレーム</translation>
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>追跡に沿って {n:,} フレームを採用しました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Ctrl+Z で取り消し</translation>
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>取り消しました：追跡に沿って採用した {n:,} フレーム</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームを残しました：{why}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>追跡に沿って塗りを探しています</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>採用したフレームはありません：{why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>追跡を採用</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>追跡を取り消す</translation>
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>取り消せる採用はありません</translation>
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>取り消しました：採用したフレームはありません</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>採用したフレームはありません：線がほとんど見えません</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームを追跡、うち {doubtful:,} は疑わしい（Alt+PgDown）。Ctrl+Shift+Enter で確かなものを採用</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>追跡中：{total} 中 {done} フレーム  ·  T で停止</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームを追跡、すべて確か。Ctrl+Shift+Enter で採用</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>ショットの両端を探しています…  T で停止</translation>
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>ショットを追跡できませんでした：{why}</translation>
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>追跡できるのは動画か、連続するフレームだけです</translation>
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>ブラインドモード：カメラが見えてしまうため、ショットは追跡しません</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>ショットに確かなカメラのフレームがありません。1 つ注釈してから追跡してください</translation>
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>停止しました。これまでの追跡は残ります</translation>
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>停止しました。追跡していません</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>これより後に注釈済みのフレームはありません</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>これより後に疑わしいフレームはありません</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>これより前に疑わしいフレームはありません</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>ブラインドモード：追跡の良し悪しは隠されます</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>まだショットを追跡していません（T）</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>これらのフレームは連続していません</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -875,281 +3316,6 @@
    <translation>なし</translation>
   </message>
   <message>
-   <source>Wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ホイール</translation>
-  </message>
-  <message>
-   <source>zoom at the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>カーソル位置で拡大・縮小</translation>
-  </message>
-  <message>
-   <source>Two fingers</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>2 本指</translation>
-  </message>
-  <message>
-   <source>pan; pinched, zoom</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>移動。つまむと拡大・縮小</translation>
-  </message>
-  <message>
-   <source>Shift + wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Shift + ホイール</translation>
-  </message>
-  <message>
-   <source>pan sideways, as a tilted wheel does</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>チルトホイールのように横へ移動</translation>
-  </message>
-  <message>
-   <source>Space + drag</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Space + ドラッグ</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>移動</translation>
-  </message>
-  <message>
-   <source>Middle button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>中ボタン</translation>
-  </message>
-  <message>
-   <source>Hold X</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>X を押し続ける</translation>
-  </message>
-  <message>
-   <source>hide all overlays</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>重ね描きをすべて隠す</translation>
-  </message>
-  <message>
-   <source>Hold Z</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Z を押し続ける</translation>
-  </message>
-  <message>
-   <source>loupe: eight times the picture's pixels</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ルーペ：画像ピクセルの 8 倍</translation>
-  </message>
-  <message>
-   <source>Hold ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>, を押し続ける</translation>
-  </message>
-  <message>
-   <source>look at the compared camera source</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>比較中のカメラソースを見る</translation>
-  </message>
-  <message>
-   <source>Tap ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>, を押す</translation>
-  </message>
-  <message>
-   <source>judge with the compared source, compare with this one</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>比較中のソースで評価し、今のソースと比べる</translation>
-  </message>
-  <message>
-   <source>Hold Ctrl</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl を押し続ける</translation>
-  </message>
-  <message>
-   <source>click beside the line: no snapping</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>線の横をクリック：吸着なし</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + 線をドラッグ</translation>
-  </message>
-  <message>
-   <source>camera: it follows, the place stays as a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>カメラ：追従し、その場所は杭として残る</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + click a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + 杭をクリック</translation>
-  </message>
-  <message>
-   <source>camera: take the peg away</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>カメラ：杭を取り除く</translation>
-  </message>
-  <message>
-   <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>矢印キー</translation>
-  </message>
-  <message>
-   <source>crosshair: the keys point; chosen points are moved instead</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>十字カーソル：キーで指す。選んだ点があればそれを動かす</translation>
-  </message>
-  <message>
-   <source>Space at the crosshair</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>十字カーソルで Space</translation>
-  </message>
-  <message>
-   <source>what a click does there (with Ctrl: no snapping)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>そこでのクリックと同じ（Ctrl で吸着なし）</translation>
-  </message>
-  <message>
-   <source>Right button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>右ボタン</translation>
-  </message>
-  <message>
-   <source>menu of what is under the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>カーソルの下にあるもののメニュー</translation>
-  </message>
-  <message>
-   <source>Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Enter</translation>
-  </message>
-  <message>
-   <source>accept the current ghost</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>現在のゴーストを採用</translation>
-  </message>
-  <message>
-   <source>Shift+Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Shift+Enter</translation>
-  </message>
-  <message>
-   <source>accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>すべてのゴーストを採用</translation>
-  </message>
-  <message>
-   <source>Click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>クリック</translation>
-  </message>
-  <message>
-   <source>draw: add a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>描画：点を加える</translation>
-  </message>
-  <message>
-   <source>Double-click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ダブルクリック</translation>
-  </message>
-  <message>
-   <source>draw: finish</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>描画：終える</translation>
-  </message>
-  <message>
-   <source>Drag a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>点をドラッグ</translation>
-  </message>
-  <message>
-   <source>edit: move it</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>編集：動かす</translation>
-  </message>
-  <message>
-   <source>Shift+click a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>点を Shift+クリック</translation>
-  </message>
-  <message>
-   <source>edit: choose several</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>編集：複数を選ぶ</translation>
-  </message>
-  <message>
-   <source>Drag on empty ground</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>何もない所をドラッグ</translation>
-  </message>
-  <message>
-   <source>edit: choose the points inside</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>編集：中の点を選ぶ</translation>
-  </message>
-  <message>
-   <source>Drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>線をドラッグ</translation>
-  </message>
-  <message>
-   <source>edit: move the element, unless elements are pinned</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>編集：要素を動かす（固定中を除く）</translation>
-  </message>
-  <message>
-   <source>Alt+click a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>線を Alt+クリック</translation>
-  </message>
-  <message>
-   <source>edit: insert a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>編集：点を挿入</translation>
-  </message>
-  <message>
-   <source>Alt+Shift+click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+Shift+クリック</translation>
-  </message>
-  <message>
-   <source>edit: remove the point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>編集：点を取り除く</translation>
-  </message>
-  <message>
-   <source>Click or drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>帯をクリックまたはドラッグ</translation>
-  </message>
-  <message>
-   <source>go to a frame</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>フレームへ移る</translation>
-  </message>
-  <message>
-   <source>Wheel on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>帯の上でホイール</translation>
-  </message>
-  <message>
-   <source>zoom; with Shift, scroll</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>拡大・縮小。Shift でスクロール</translation>
-  </message>
-  <message>
-   <source>Shift+drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>帯の上で Shift+ドラッグ</translation>
-  </message>
-  <message>
-   <source>mark a stretch (a double click lets go of it)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>区間に印を付ける（ダブルクリックで解除）</translation>
-  </message>
-  <message>
    <source>what is held down in the picture</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>画像で押し続けるキー</translation>
@@ -1173,6 +3339,281 @@
    <source>Like labelme</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>labelme 風</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ホイール</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>カーソル位置で拡大・縮小</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>2 本指</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>移動。つまむと拡大・縮小</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Shift + ホイール</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>チルトホイールのように横へ移動</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Space + ドラッグ</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>移動</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>中ボタン</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>X を押し続ける</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>重ね描きをすべて隠す</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Z を押し続ける</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ルーペ：画像ピクセルの 8 倍</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>, を押し続ける</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>比較中のカメラソースを見る</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>, を押す</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>比較中のソースで評価し、今のソースと比べる</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl を押し続ける</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>線の横をクリック：吸着なし</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + 線をドラッグ</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>カメラ：追従し、その場所は杭として残る</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + 杭をクリック</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>カメラ：杭を取り除く</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>矢印キー</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>十字カーソル：キーで指す。選んだ点があればそれを動かす</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>十字カーソルで Space</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>そこでのクリックと同じ（Ctrl で吸着なし）</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>右ボタン</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>カーソルの下にあるもののメニュー</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Enter</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>現在のゴーストを採用</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Shift+Enter</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>すべてのゴーストを採用</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>クリック</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>描画：点を加える</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ダブルクリック</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>描画：終える</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>点をドラッグ</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>編集：動かす</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>点を Shift+クリック</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>編集：複数を選ぶ</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>何もない所をドラッグ</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>編集：中の点を選ぶ</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>線をドラッグ</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>編集：要素を動かす（固定中を除く）</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>線を Alt+クリック</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>編集：点を挿入</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+Shift+クリック</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>編集：点を取り除く</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>帯をクリックまたはドラッグ</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>フレームへ移る</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>帯の上でホイール</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>拡大・縮小。Shift でスクロール</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>帯の上で Shift+ドラッグ</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>区間に印を付ける（ダブルクリックで解除）</translation>
   </message>
   <message>
    <source>expected an object with "actions" and "elements"</source>
@@ -1221,7 +3662,7 @@
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{text}。</translation>
   </message>
   <message>
@@ -1359,12 +3800,12 @@
   </message>
   <message>
    <source>Median</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>中央値</translation>
   </message>
   <message>
    <source>Points</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>点</translation>
   </message>
   <message>
@@ -1374,7 +3815,7 @@
   </message>
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>非表示：ブラインドモードでは、このフレームの提出後にスコアを表示します。</translation>
   </message>
   <message>
@@ -1429,395 +3870,449 @@
    </translation>
   </message>
   <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>比較するソース</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>使用中のソースと照らし合わせます：コンマ、分割表示、不一致</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>比較対象</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>{far:g} m 以内 {share:.0f} %（画像の {covered:.0f} %）</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>最小</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>中央値</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>1 ピクセルが指す地面上の 2 点の間</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>ピクセルから、その地面の点を比較カメラが示す位置まで</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>地面上、m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>画像内、px</translation>
-  </message>
-  <message>
    <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
    <translation>soccernet（公式）</translation>
   </message>
   <message>
    <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>procc（論文）</translation>
   </message>
   <message>
    <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>見逃しとして数える</translation>
   </message>
   <message>
    <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>数えない</translation>
   </message>
   <message>
    <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>カメラ ({endings});;すべてのファイル (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>比較するソース</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>使用中のソースと照らし合わせます：コンマ、分割表示、不一致</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>比較対象</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>{far:g} m 以内 {share:.0f} %（画像の {covered:.0f} %）</translation>
   </message>
   <message>
    <source>No cameras loaded.
 Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>カメラが読み込まれていません。
 SoccerNet のカメラファイルまたはホモグラフィのフォルダーを読み込むと、クリックと照らして評価します。</translation>
   </message>
   <message>
    <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>フォルダーを読み込む…</translation>
   </message>
   <message>
    <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>フレームごとに 1 つのカメラファイルがあるフォルダー</translation>
   </message>
   <message>
    <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>ファイルを読み込む…</translation>
   </message>
   <message>
    <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>カメラの zip、または 1 フレームのカメラ</translation>
   </message>
   <message>
    <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>次に読み込むファイルの読み方</translation>
   </message>
   <message>
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>soccernet：公式評価（その癖も含む）
 procc：論文の定義。閉じた円と細かい曲線</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>ホモグラフィは地面しか知りません。ポストやクロスバーの数え方を決めます</translation>
   </message>
   <message>
    <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>読み方</translation>
   </message>
   <message>
    <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
    <translation>プロトコル</translation>
   </message>
   <message>
    <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>地面にない要素</translation>
   </message>
   <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>カメラのフォルダーを読み込む</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>カメラを読み込む</translation>
-  </message>
-  <message>
    <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>このフレーム：{notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>⚠ このフレームのカメラは使えません：{error}</translation>
   </message>
   <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>最小</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>中央値</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>最大</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>1 ピクセルが指す地面上の 2 点の間</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>ピクセルから、その地面の点を比較カメラが示す位置まで</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>地面上、m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>画像内、px</translation>
+  </message>
+  <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>ブラインド：このフレームを提出するまで投影は隠されます。</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>このデータセットでカメラのあるフレーム（網羅率）</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>このウィンドウで開き、クリックからカメラが求まったフレーム。JaC は当てはめに使ったクリック自身に対する値です。
 procc-annotator calibrate はセット全体を当てはめて採点します</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>ショット内で追跡し、カメラのあるこのデータセットのフレーム。
 procc-annotator track は動画全体を追跡してカメラを書き出します</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム</numerusform>
-   </translation>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>黄</translation>
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>紫</translation>
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>青</translation>
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>ミント</translation>
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>紺</translation>
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>シアン</translation>
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>自動当てはめをオフにする（Ctrl+T で再びオン）</translation>
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>一覧から除く（ファイルは残ります）</translation>
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>追跡結果を破棄する（T で再び追跡）</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>平均 JaC（{tau:.1f} px、{frames}）</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>読めないもの（フィルター camera:unreadable）：{names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{total} 中 {matched}、{n} は読めません</numerusform>
    </translation>
   </message>
   <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>ソースの名前</translation>
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>別のソースを評価している間、ワイヤーフレームで描きます</translation>
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} を評価</translation>
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} を除く</translation>
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} を描く</translation>
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} の色</translation>
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>その他…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>ソースの色</translation>
+  </message>
+  <message>
    <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>カメラなし</translation>
   </message>
   <message>
    <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>何も評価せず、カメラも描きません</translation>
   </message>
   <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>これまでの {frames}</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{mean}。{n:,} 個のカメラは読めず、対象外です</numerusform>
    </translation>
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model}（地面）</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>ここでは {model}、複数のモデル</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを追跡</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを当てはめ</numerusform>
    </translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{total} 中 {n}（{share}）</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{names} ほか {n:,} 件</numerusform>
    </translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>ここでは使えません：{error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>このフレームのカメラがありません</translation>
   </message>
   <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>ダブルクリックまたは F2 で名前を変えられます</translation>
+  </message>
+  <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>ブラインドモードではソースの良し悪しを隠します</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>注釈された要素とこのソースのカメラがともにあるフレームがありません</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} 個のカメラ</numerusform>
    </translation>
   </message>
   <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>複数のモデル</translation>
   </message>
   <message>
-   <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>黄</translation>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py, procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>注釈済み</translation>
   </message>
   <message>
-   <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>紫</translation>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>未確定</translation>
   </message>
   <message>
-   <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>青</translation>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>見えない</translation>
   </message>
   <message>
-   <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>ミント</translation>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>次</translation>
   </message>
   <message>
-   <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>紺</translation>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>このフレームでは注釈なし</translation>
   </message>
   <message>
-   <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>シアン</translation>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>注釈済みだが評価なし：カメラが表示されていないか、評価の対象外</translation>
   </message>
   <message>
-   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>自動当てはめをオフにする（Ctrl+T で再びオン）</translation>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>コピーしたもの。触れるか確定するまで数えません</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>一覧から除く（ファイルは残ります）</translation>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>合格：すべての点が投影から tau より近い</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>追跡結果を破棄する（T で再び追跡）</translation>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>遠すぎる：少なくとも 1 点が tau 以上離れている（偽陽性）</translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>ソースの名前</translation>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>カメラは投影するが注釈なし（偽陽性）</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>別のソースを評価している間、ワイヤーフレームで描きます</translation>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>注釈済みだがカメラは投影しない（偽陰性）</translation>
   </message>
   <message>
-   <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} を評価</translation>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>このフレームでは見えないとされたもの</translation>
   </message>
   <message>
-   <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} を除く</translation>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>次に注釈するもの（フィールド図と画像に示すとおり）</translation>
   </message>
   <message>
-   <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} を描く</translation>
-  </message>
-  <message>
-   <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} の色</translation>
-  </message>
-  <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>その他…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>ソースの色</translation>
-  </message>
-  <message>
-   <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>ダブルクリックまたは F2 で名前を変えられます</translation>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>{title}（未知のクラス）</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>形状なし</translation>
   </message>
   <message>
@@ -1832,7 +4327,7 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
   </message>
   <message>
    <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>要素</translation>
   </message>
   <message>
@@ -1867,136 +4362,57 @@ Esc で検索を消します。</translation>
   </message>
   <message>
    <source>Status</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>状態</translation>
   </message>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>次にこれを注釈すると最も効果があります：投影の不確かさが {before:.1f} px から {after:.1f} px になります</translation>
   </message>
   <message>
    <source>Field map</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>フィールド図</translation>
   </message>
   <message>
    <source>The arrows choose elements</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>矢印キーで要素を選びます</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>次：{title}、{before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>要素をクリックするとクラスを選べます</translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>指摘</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>一覧に示す指摘</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>セット全体を検査</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>注釈のある全フレームで誤ったクラスを探します</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>検査したフレーム</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>停止</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>書き出す…</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>検査した全フレームの指摘を CSV に書き出します</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>ほかに {n:,} 件を表示していません。上の記号をオンにしてください。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
-   <translation>その要素の点が変わるまで表示しません</translation>
-  </message>
-  <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>このフレーム</translation>
-  </message>
-  <message>
-   <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>セット全体</translation>
-  </message>
-  <message>
-   <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>{findings}。クリックで表示・非表示</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>ここで {n:,} 件を無視。&lt;a href="restore"&gt;再び表示&lt;/a&gt;</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>この指摘を無視</translation>
-  </message>
-  <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>エラー</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>警告</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>ヒント</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>このフレームに指摘はありません。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームに指摘はありません。</numerusform>
    </translation>
@@ -2004,91 +4420,380 @@ Esc で検索を消します。</translation>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>フレームがありません。
 画像のフォルダーを開くとクラスを検査します。</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>このフレームには何も注釈されていません。</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>カメラの要らない規則では指摘はありません。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>無視した {n:,} 件のほかに指摘はありません。</numerusform>
    </translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>ブラインド：カメラの要る指摘は、このフレームを提出するまで出ません（Ctrl+Enter）。</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>自動当てはめがオフです：カメラの要らない規則だけを調べます。</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>まだ合うカメラがありません（{why}）：カメラの要らない規則だけを調べます。</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>ブラインド：カメラを使う検査は提出済みのフレームだけです。</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを検査できません。例：{name}：{why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>セットはまだ検査していません。これまでに {n:,} フレームを調べました。</numerusform>
    </translation>
   </message>
   <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>このフレームを検査中…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>セットを検査中…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>エラー {n:,} 件</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>警告 {n:,} 件</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>ヒント {n:,} 件</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>指摘</translation>
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>一覧に示す指摘</translation>
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>セット全体を検査</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>注釈のある全フレームで誤ったクラスを探します</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>検査したフレーム</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>検査した全フレームの指摘を CSV に書き出します</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>ほかに {n:,} 件を表示していません。上の記号をオンにしてください。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <translation>その要素の点が変わるまで表示しません</translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>このフレーム</translation>
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>セット全体</translation>
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>{findings}。クリックで表示・非表示</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>ここで {n:,} 件を無視。&lt;a href="restore"&gt;再び表示&lt;/a&gt;</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <translation>この指摘を無視</translation>
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>平均</translation>
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>最大</translation>
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>悪い順。クリックで最悪の点を表示します</translation>
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめた要素までの点の平均距離、画像の px</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめた要素までの点の最大距離、画像の px</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>自動で選択</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>H：地面のホモグラフィ</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>P：ピンホール</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R：ピンホール、レンズ歪み</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R+：R、アスペクト比、主点</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R2：R+、2 次の放射歪み係数</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>F：魚眼</translation>
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{model}。選択理由：{why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>注釈済み {n:,} 要素中 {passing} が {px:g} px 以内</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{counted}。見えるが未注釈 {n}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ 除外：{title}</translation>
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{title}：平均 {mean} px、最大 {largest} px</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>パン</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>チルト</translation>
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>ロール</translation>
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>焦点距離</translation>
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>縦方向 (x)</translation>
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>横方向 (y)</translation>
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>高さ (−z)</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>見えているのに注釈のない要素は JaC を下げます</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>ほぼ決まらないもの：{limits}</translation>
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめるモデル。自動：クリックが支える最も単純なもの</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>モデル</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめに使われた点の平均距離、画像の px</translation>
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>要素ごとの残差</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>フレームのカメラとして保存</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>画像のフォルダーを開くと、クリックから求めたカメラが見られます。</translation>
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>自動当てはめがオフです（Ctrl+T）。</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>非表示：ブラインドモードでは、このフレームの提出後に当てはめを表示します。</translation>
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>まだカメラがありません：{why}。</translation>
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>クリックに当てはめ中…</translation>
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめがありません。</translation>
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC（{tau:.1f} px）</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>&lt;b&gt;ほぼ決まらないもの&lt;/b&gt;：{what}</translation>
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>JaC：{terms}。残差：画像の px、{width}x{height}</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめが推定した標準偏差</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>誤りとみなされ、当てはめに使われませんでした</translation>
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>平均残差</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -2097,12 +4802,15 @@ Open a folder of pictures to check their labels.</source>
     <numerusform>未解決 {n}</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>
-    <numerusform>要素 {n:,} 個</numerusform>
-   </translation>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>{frames} 中 {shown:,}</translation>
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>すべて完了</translation>
   </message>
   <message>
    <source>⚠ unreadable</source>
@@ -2120,26 +4828,45 @@ Open a folder of pictures to check their labels.</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>注釈なし</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>完了 {n:,}</numerusform>
+   </translation>
+  </message>
   <message>
    <source>● not saved</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>● 未保存</translation>
   </message>
   <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>{frames} 中 {shown:,}</translation>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>フレームを絞り込む</translation>
   </message>
   <message>
-   <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
-   <translation>すべて完了</translation>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>フレーム</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>フレームがありません。
+画像（jpg、png、bmp、webp）のフォルダーを開くか、ここにドロップしてください。</translation>
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>「{query}」に一致するものはありません。</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
    <translation>
-    <numerusform>完了 {n:,}</numerusform>
+    <numerusform>{frames}、{n:,} フォルダー</numerusform>
    </translation>
   </message>
   <message>
@@ -2161,497 +4888,6 @@ Open a folder of pictures to check their labels.</source>
    <source>unfolded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
    <translation>展開</translation>
-  </message>
-  <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>フレームを絞り込む</translation>
-  </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>フレーム</translation>
-  </message>
-  <message>
-   <source>No frames.
-Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>フレームがありません。
-画像（jpg、png、bmp、webp）のフォルダーを開くか、ここにドロップしてください。</translation>
-  </message>
-  <message>
-   <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>「{query}」に一致するものはありません。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} フォルダー</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>自動で選択</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>H：地面のホモグラフィ</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>P：ピンホール</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R：ピンホール、レンズ歪み</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R+：R、アスペクト比、主点</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R2：R+、2 次の放射歪み係数</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>F：魚眼</translation>
-  </message>
-  <message>
-   <source>{model}. Chosen: {why}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>{model}。選択理由：{why}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
-   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>注釈済み {n:,} 要素中 {passing} が {px:g} px 以内</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{counted}; {n} in sight not annotated yet</source>
-   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{counted}。見えるが未注釈 {n}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>見えているのに注釈のない要素は JaC を下げます</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>ほぼ決まらないもの：{limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>当てはめるモデル。自動：クリックが支える最も単純なもの</translation>
-  </message>
-  <message>
-   <source>Model</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>モデル</translation>
-  </message>
-  <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>当てはめに使われた点の平均距離、画像の px</translation>
-  </message>
-  <message>
-   <source>Residuals by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>要素ごとの残差</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>フレームのカメラとして保存</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>画像のフォルダーを開くと、クリックから求めたカメラが見られます。</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>自動当てはめがオフです（Ctrl+T）。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>非表示：ブラインドモードでは、このフレームの提出後に当てはめを表示します。</translation>
-  </message>
-  <message>
-   <source>No camera yet: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>まだカメラがありません：{why}。</translation>
-  </message>
-  <message>
-   <source>Fitting the clicks…</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>クリックに当てはめ中…</translation>
-  </message>
-  <message>
-   <source>No fit.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>当てはめがありません。</translation>
-  </message>
-  <message>
-   <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC（{tau:.1f} px）</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>&lt;b&gt;ほぼ決まらないもの&lt;/b&gt;：{what}</translation>
-  </message>
-  <message>
-   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>JaC：{terms}。残差：画像の px、{width}x{height}</translation>
-  </message>
-  <message>
-   <source>Standard deviation, as the fit estimates it</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>当てはめが推定した標準偏差</translation>
-  </message>
-  <message>
-   <source>mean residual</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>平均残差</translation>
-  </message>
-  <message>
-   <source>Mean</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>平均</translation>
-  </message>
-  <message>
-   <source>Largest</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Worst first; a click shows the worst point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>悪い順。クリックで最悪の点を表示します</translation>
-  </message>
-  <message>
-   <source>Mean distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>当てはめた要素までの点の平均距離、画像の px</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>当てはめた要素までの点の最大距離、画像の px</translation>
-  </message>
-  <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>✕ 除外：{title}</translation>
-  </message>
-  <message>
-   <source>{title}: mean {mean} px, largest {largest} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>{title}：平均 {mean} px、最大 {largest} px</translation>
-  </message>
-  <message>
-   <source>Pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>パン</translation>
-  </message>
-  <message>
-   <source>Tilt</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>チルト</translation>
-  </message>
-  <message>
-   <source>Roll</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>ロール</translation>
-  </message>
-  <message>
-   <source>Focal length</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>焦点距離</translation>
-  </message>
-  <message>
-   <source>Along (x)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>縦方向 (x)</translation>
-  </message>
-  <message>
-   <source>Across (y)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>横方向 (y)</translation>
-  </message>
-  <message>
-   <source>Height (−z)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>高さ (−z)</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>誤りとみなされ、当てはめに使われませんでした</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau に対する JaC</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>Point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>点</translation>
-  </message>
-  <message>
-   <source>Worst</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>最悪</translation>
-  </message>
-  <message>
-   <source>Passes at</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>合格 tau</translation>
-  </message>
-  <message>
-   <source>Click a row to see the point that decides</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>行をクリックすると決め手の点を表示します</translation>
-  </message>
-  <message>
-   <source>How the element counts at tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>この tau での要素の数え方</translation>
-  </message>
-  <message>
-   <source>The point that decides, counted from 1</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>決め手の点（1 から数えて）</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the projection, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>投影までの点の最大距離、px</translation>
-  </message>
-  <message>
-   <source>The smallest tau of the slider at which it passes, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>合格となるスライダーの最小の tau、px</translation>
-  </message>
-  <message>
-   <source>Scores by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>要素ごとのスコア</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>{class_name} として数える</translation>
-  </message>
-  <message>
-   <source>Choose an element to read why it counts as it does.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>要素を選ぶと、なぜそう数えるかが読めます。</translation>
-  </message>
-  <message>
-   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>カメラはこれらのクリック自身への当てはめです。この JaC は手法のスコアではありません</translation>
-  </message>
-  <message>
-   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>鏡像のクラスで数えています：180° 回転したフィールドが同等以上に合います。</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>人によるばらつき：中央値 {median:.2f} px、95 % が {p95:.2f} px 以内</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>人によるばらつき：中央値 {median:.2f} px、95 % が {p95:.2f} px 以内 – tau より大</translation>
-  </message>
-  <message>
-   <source>Precision</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>適合率</translation>
-  </message>
-  <message>
-   <source>Recall</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>再現率</translation>
-  </message>
-  <message>
-   <source>Mean error</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>平均誤差</translation>
-  </message>
-  <message>
-   <source>Mean reprojection error of all points, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>全点の再投影誤差の平均、px</translation>
-  </message>
-  <message>
-   <source>Median reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>再投影誤差の中央値、px</translation>
-  </message>
-  <message>
-   <source>Max</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Largest reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>再投影誤差の最大、px</translation>
-  </message>
-  <message>
-   <source>{name} has no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>{name} にはこのフレームのカメラがありません。</translation>
-  </message>
-  <message>
-   <source>points: {kinds}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>点：{kinds}</translation>
-  </message>
-  <message>
-   <source>Scores and their plot</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>スコアとそのグラフ</translation>
-  </message>
-  <message>
-   <source>Copy this explanation</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>この説明をコピー</translation>
-  </message>
-  <message>
-   <source>Copy all explanations</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>すべての説明をコピー</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>画像のフォルダーを開くとスコアが見られます。</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>評価するカメラがありません。
-カメラを読み込むと、クリックとどれだけ合うかが分かります。</translation>
-  </message>
-  <message>
-   <source>JaC –: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>JaC –：{why}。</translation>
-  </message>
-  <message>
-   <source>This frame's camera cannot be used:
-{error}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>このフレームのカメラは使えません：
-{error}</translation>
-  </message>
-  <message>
-   <source>No fit to judge: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>評価する当てはめがありません：{why}。</translation>
-  </message>
-  <message>
-   <source>Elements whose points all are closer than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>すべての点が tau より近い要素</translation>
-  </message>
-  <message>
-   <source>Elements too far, or projected and not annotated</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>遠すぎる要素、または投影されたが注釈のない要素</translation>
-  </message>
-  <message>
-   <source>Annotated elements that the camera does not project</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>注釈されたがカメラが投影しない要素</translation>
-  </message>
-  <message>
-   <source>Camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>カメラ</translation>
-  </message>
-  <message>
-   <source>Annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>注釈</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>問題なし</translation>
-  </message>
-  <message>
-   <source>The active camera is wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>このフレームでは使用中のカメラが誤り</translation>
-  </message>
-  <message>
-   <source>The clicks are wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>このフレームではクリックが誤り</translation>
-  </message>
-  <message>
-   <source>Camera and clicks are right in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>このフレームではカメラもクリックも正しい</translation>
-  </message>
-  <message>
-   <source>Fault</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>誤り</translation>
-  </message>
-  <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>このフレームのスコアが低いのはどちらのせいか。データセットに保存されます</translation>
-  </message>
-  <message>
-   <source>Verdict: {verdict}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>判定：{verdict}</translation>
-  </message>
-  <message>
-   <source>{verdict}; once more takes it back ({key})</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>{verdict}。もう一度で取り消し（{key}）</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -2715,7 +4951,7 @@ Load cameras to see how well they agree with your clicks.</source>
   </message>
   <message>
    <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>目印</translation>
   </message>
   <message>
@@ -2725,7 +4961,7 @@ Load cameras to see how well they agree with your clicks.</source>
   </message>
   <message>
    <source>Add</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>追加</translation>
   </message>
   <message>
@@ -2846,221 +5082,303 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>目印 {title}</translation>
   </message>
   <message>
-   <source>Share</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>割合</translation>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau に対する JaC</translation>
   </message>
   <message>
-   <source>Median time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>時間の中央値</translation>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>フレームごとの JaC</translation>
   </message>
   <message>
-   <source>Total time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>合計時間</translation>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>スコアはまだありません。バックグラウンドでフレームごとに計算します。</translation>
   </message>
   <message>
-   <source>Where the frame is in its life</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>フレームの進み具合</translation>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>{name}（フレーム {n}）</translation>
   </message>
   <message>
-   <source>How many frames have this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>この状態のフレームの数</translation>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>このフレームのスコアはありません：注釈がないか、表示中のどのソースにもカメラがありません。</translation>
   </message>
   <message>
-   <source>Of all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>全フレームに対する割合</translation>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau (px)</translation>
   </message>
   <message>
-   <source>Of the frames that somebody worked on</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>誰かが作業したフレームでの値</translation>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>フレーム</translation>
   </message>
   <message>
-   <source>Of all frames with this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>この状態の全フレームの合計</translation>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>各曲線は、そのソースにカメラのあるフレームの平均です。</translation>
   </message>
   <message>
-   <source>Class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
-   <translation>クラス</translation>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>網掛け：95 % の帯、{drawn}。</translation>
   </message>
   <message>
-   <source>An element of the field, or another class that occurs</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>フィールドの要素、または現れるほかのクラス</translation>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
   </message>
   <message>
-   <source>How many frames it is annotated in</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>注釈のあるフレームの数</translation>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>非表示：ブラインドモードでは提出済みのフレームだけを示し、このグラフには 1 つもありません。</translation>
   </message>
   <message>
-   <source>Its points in all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>全フレームでの点の数</translation>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>非表示：ブラインドモードでは、このフレームの提出後にこのグラフを表示します。</translation>
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>ショットは名前で区別しています：{error}。</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>誤差のヒストグラム</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
    <translation>
-    <numerusform>{n:,} 点</numerusform>
+    <numerusform>距離のない {n:,} 点を除外。</numerusform>
    </translation>
   </message>
   <message>
-   <source>Overview of the set</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>セットの概要</translation>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>画像上の残差</translation>
   </message>
   <message>
-   <source>Export CSV…</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>CSV を書き出す…</translation>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>再投影誤差 (px)</translation>
   </message>
   <message>
-   <source>Write one row a frame to a table for a spreadsheet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>表計算用に 1 フレーム 1 行の表を書き出します</translation>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>点の数</translation>
   </message>
   <message>
-   <source>Share of frames that are done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>完了または承認されたフレームの割合</translation>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>最後の棒はそれより大きい誤差のすべてです。</translation>
   </message>
   <message>
-   <source>Frames by status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>状態別のフレーム</translation>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{px:g} px 以上</translation>
   </message>
   <message>
-   <source>Frames and points by class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>クラス別のフレームと点</translation>
-  </message>
-  <message numerus="yes">
-   <source>frames, {points}</source>
-   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>フレーム、{points}</numerusform>
-   </translation>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{name} {part:,} / {total:,}</translation>
   </message>
   <message>
-   <source>done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>完了または承認</translation>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>このフレームに {element} の点はありません。</translation>
   </message>
   <message>
-   <source>a frame (median)</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>1 フレーム（中央値）</translation>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{element} の点はまだありません。</translation>
   </message>
   <message>
-   <source>median JaC of {n:,}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>JaC の中央値（{n:,}）</translation>
-  </message>
-  <message numerus="yes">
-   <source>of {n:,} comments open</source>
-   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>コメント {n:,} 件中の未解決</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>In {n:,} frames</source>
-   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム内</numerusform>
-   </translation>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>このフレームには、表示中のソースが投影する注釈点がありません。</translation>
   </message>
   <message>
-   <source>Nothing to sum up: no frames are open.
-Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>まとめるものがありません：フレームが開かれていません。
-まず画像のフォルダーを開いてください。</translation>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>表示中のソースが投影する注釈点はまだありません。</translation>
   </message>
   <message>
-   <source>Points by origin: {origins}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>点の由来：{origins}</translation>
-  </message>
-  <message numerus="yes">
-   <source>on {n:,} frames</source>
-   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームで</numerusform>
-   </translation>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>矢印の拡大</translation>
   </message>
   <message>
-   <source>no time taken yet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>時間の記録なし</translation>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>矢印を実際の何倍の長さで描くか</translation>
   </message>
   <message>
-   <source>Time per frame in hours</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>1 フレームの時間（時間）</translation>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>自動</translation>
   </message>
   <message>
-   <source>Time per frame in minutes</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>1 フレームの時間（分）</translation>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>矢印は実際の {factor} 倍の長さ：クリックから投影へ。</translation>
   </message>
   <message>
-   <source>Time per frame in seconds</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>1 フレームの時間（秒）</translation>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>矢印は実際の {factor} 倍の長さ：5 点以上ある画像の各区画の残差の中央値。</translation>
   </message>
   <message>
-   <source>No frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>フレームなし</translation>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>点がまだ足りません：画像の 1 区画に 5 点で矢印になります。</translation>
   </message>
   <message>
-   <source>Elements per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>1 フレームの要素数</translation>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>画像 (*.png);;ベクター画像 (*.svg)</translation>
   </message>
   <message>
-   <source>Time per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>1 フレームの時間</translation>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>グラフの数値をクリップボードにコピーしました</translation>
   </message>
   <message>
-   <source>No time yet: it is taken while somebody works on a frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>時間はまだありません：フレームで作業すると記録されます</translation>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>グラフを保存</translation>
   </message>
   <message>
-   <source>{caption}; last bar: longer</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>{caption}。最後の棒：それ以上</translation>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} を書き出しました（採点済みの分まで）</translation>
   </message>
   <message>
-   <source>{hours:,} h {minutes:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{hours:,} 時間 {minutes:02d} 分</translation>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{path} を書き出しました</translation>
   </message>
   <message>
-   <source>{seconds:.1f} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{seconds:.1f} 秒</translation>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>グラフを画像としてクリップボードにコピーしました</translation>
   </message>
   <message>
-   <source>{seconds} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{seconds} 秒</translation>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>持ち出せるグラフがありません</translation>
   </message>
   <message>
-   <source>{minutes} min {seconds:02d} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{minutes} 分 {seconds:02d} 秒</translation>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{frames}、採点済みの分まで</translation>
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <translation>ソース：{names}</translation>
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（{n:,} / {total:,}）</translation>
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>すべての要素</translation>
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>保存</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>グラフとその数値をコピーまたは保存します</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>グラフをコピーまたは保存</translation>
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>グラフ</translation>
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>表示中のフレーム、またはこれまでに採点した全フレームをグラフにします</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>1 つの要素の点だけをグラフにします</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>画像のフォルダーを開くとグラフが見られます。</translation>
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>評価するカメラがありません。
+カメラを読み込むと、クリックとどれだけ合うかが分かります。</translation>
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>このグラフは計算できませんでした：{error}。</translation>
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（提出済み {n:,}）</translation>
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>画像をコピー</translation>
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>数値をコピー</translation>
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>画像を保存…</translation>
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>数値を保存…</translation>
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>計算中…</translation>
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（非表示）</translation>
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（スコアなし）</translation>
   </message>
   <message>
    <source>Nobody has edited this frame here</source>
@@ -3096,6 +5414,11 @@ Open a folder of pictures first.</source>
    <source>Edited after the cameras were shown.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>カメラの表示後に編集されました。</translation>
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{seconds} 秒</translation>
   </message>
   <message>
    <source>Committed in blind mode by {author}</source>
@@ -3139,7 +5462,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
    <translation>まず画像のフォルダーを開いてください。</translation>
   </message>
   <message>
@@ -3166,905 +5489,302 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>somebody</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/editing/batch_edits.py, procc_annotator/gui/state/state.py]</extracomment>
    <translation>誰か</translation>
   </message>
   <message>
-   <source>annotated</source>
-   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>注釈済み</translation>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>要素を選ぶと、なぜそう数えるかが読めます。</translation>
   </message>
   <message>
-   <source>unconfirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>未確定</translation>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>カメラはこれらのクリック自身への当てはめです。この JaC は手法のスコアではありません</translation>
   </message>
   <message>
-   <source>not visible</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>見えない</translation>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>鏡像のクラスで数えています：180° 回転したフィールドが同等以上に合います。</translation>
   </message>
   <message>
-   <source>next</source>
-   <comment>element</comment>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>次</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>人によるばらつき：中央値 {median:.2f} px、95 % が {p95:.2f} px 以内</translation>
   </message>
   <message>
-   <source>Not annotated in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>このフレームでは注釈なし</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>人によるばらつき：中央値 {median:.2f} px、95 % が {p95:.2f} px 以内 – tau より大</translation>
   </message>
   <message>
-   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>注釈済みだが評価なし：カメラが表示されていないか、評価の対象外</translation>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>点</translation>
   </message>
   <message>
-   <source>Copied; it does not count until it is touched or confirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>コピーしたもの。触れるか確定するまで数えません</translation>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>最悪</translation>
   </message>
   <message>
-   <source>Passes: all its points are closer than tau to the projection</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>合格：すべての点が投影から tau より近い</translation>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>合格 tau</translation>
   </message>
   <message>
-   <source>Too far: at least one point is tau or more away (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>遠すぎる：少なくとも 1 点が tau 以上離れている（偽陽性）</translation>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>行をクリックすると決め手の点を表示します</translation>
   </message>
   <message>
-   <source>The camera projects it, it is not annotated (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>カメラは投影するが注釈なし（偽陽性）</translation>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>この tau での要素の数え方</translation>
   </message>
   <message>
-   <source>Annotated, the camera does not project it (false negative)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>注釈済みだがカメラは投影しない（偽陰性）</translation>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>決め手の点（1 から数えて）</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>このフレームでは見えないとされたもの</translation>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>投影までの点の最大距離、px</translation>
   </message>
   <message>
-   <source>To be annotated next, as on the field map and in the picture</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>次に注釈するもの（フィールド図と画像に示すとおり）</translation>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>合格となるスライダーの最小の tau、px</translation>
   </message>
   <message>
-   <source>{title} (unknown class)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>{title}（未知のクラス）</translation>
-  </message>
-  <message>
-   <source>The picture cannot be shown</source>
-   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
-   <translation>画像を表示できません</translation>
-  </message>
-  <message>
-   <source>Blind: no camera is shown before Ctrl+Enter</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>ブラインド：Ctrl+Enter までカメラを表示しません</translation>
-  </message>
-  <message>
-   <source>Blind mode, this frame is committed</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>ブラインドモード、このフレームは提出済み</translation>
-  </message>
-  <message>
-   <source>no camera is known here that could be dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>ここには動かせるカメラがありません</translation>
-  </message>
-  <message>
-   <source>taken back: the camera is as before it was dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>取り消しました：カメラは動かす前に戻りました</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>ブラインドモード：カメラは表示されません</translation>
-  </message>
-  <message>
-   <source>overlays are hidden (Ctrl+H)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>重ね描きは非表示です（Ctrl+H）</translation>
-  </message>
-  <message>
-   <source>a homography cannot be turned: choose another model (panel Fit)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>ホモグラフィは回せません。別のモデルを選んでください（当てはめパネル）</translation>
-  </message>
-  <message>
-   <source>release leaves it here</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>離すとここに残ります</translation>
-  </message>
-  <message>
-   <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc で元に戻します</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>{n} 本の杭がカメラを留めています</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>CAMERA</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>カメラ</translation>
   </message>
-  <message numerus="yes">
-   <source>peg taken away: {n} pegs left</source>
-   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>杭を取り除きました：残り {n} 本</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>peg taken away: the camera is as it was found</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>杭を取り除きました：カメラは求めたときのままです</translation>
-  </message>
-  <message>
-   <source>peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>杭</translation>
-  </message>
-  <message>
-   <source>press on a line of the wireframe</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>ワイヤーフレームの線を押してください</translation>
-  </message>
-  <message>
-   <source>drag moves this peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>ドラッグでこの杭を動かす</translation>
-  </message>
-  <message>
-   <source>click takes it away</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>クリックで取り除く</translation>
-  </message>
-  <message>
-   <source>drag a place of the wireframe to where it belongs</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>ワイヤーフレームの場所を正しい位置へドラッグ</translation>
-  </message>
-  <message>
-   <source>drag {title} to where it belongs: the camera follows</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>{title} を正しい位置へドラッグ：カメラが追従</translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Ctrl+Z で取り消し</translation>
-  </message>
-  <message>
-   <source>PAN</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>移動</translation>
-  </message>
-  <message>
-   <source>drag moves the picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>ドラッグで画像を動かす</translation>
-  </message>
-  <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>クリックと Enter は何もしません</translation>
-  </message>
-  <message>
-   <source>Esc takes the tool again</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>Esc でツールに戻る</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>画像</translation>
-  </message>
-  <message>
-   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>2 つを切り替えて見るには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>カメラを読めません</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>ここにはカメラなし</translation>
-  </message>
-  <message>
-   <source>{titles}: changed elsewhere, look again first</source>
-   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation>{titles}：別の場所で変更されました。もう一度確認してください</translation>
-  </message>
-  <message>
-   <source>{title} has no points in this frame: choose the element to delete</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{title} の点はこのフレームにありません。削除する要素を選んでください</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{frame} の {title} のクリック 1 つを未確認で保持しました：続けるにはそこで要素を選んでください</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{frame} の {title} を {n} 点で終えました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>choose the element to delete first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>まず削除する要素を選んでください：フィールド図、一覧、またはそのキー</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} points of {title}</source>
-   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} の {n} 点を捨てました</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>{title} を {n} 点で終えました</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs</source>
-   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>
-    <numerusform>杭 {n} 本</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラを移動、{pegs}、塗りに合わせて精密化：線の {share:.0%}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, not made exact: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラを移動、{pegs}、精密化できません：{why}</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラを検出、不確か：{why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラを移動、{pegs}</translation>
-  </message>
-  <message>
-   <source>Camera of the track: Shift+Enter accepts its elements</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>追跡のカメラ：Shift+Enter で要素を採用</translation>
-  </message>
-  <message>
-   <source>Looking for the camera in the picture …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>画像からカメラを探しています…</translation>
-  </message>
-  <message>
-   <source>No camera found: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラが見つかりません：{why}</translation>
-  </message>
-  <message>
-   <source>Camera found, sure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラを検出、確か：{why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}: its lines are looked for …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>カメラを移動、{pegs}：線を探しています…</translation>
-  </message>
-  <message>
-   <source>Camera of the track, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>追跡のカメラ、不確か：{why}</translation>
-  </message>
-  <message>
-   <source>{title}  ±{sd:.1f} px  unsure</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
-   <translation>{title}  ±{sd:.1f} px  不確か</translation>
-  </message>
-  <message>
-   <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>次：{title}</translation>
-  </message>
-  <message>
-   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>十字カーソル：矢印キーで移動（Shift 0.1 px、Ctrl 10 px、Ctrl+Shift 100 px）、Space でクリック、Esc で消す</translation>
-  </message>
-  <message>
-   <source>point at a line first: with the mouse, or with the arrows</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>まず線を指してください：マウスまたは矢印キーで</translation>
-  </message>
-  <message>
-   <source>there is no line here to put a point on</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>ここには点を置ける線がありません</translation>
-  </message>
-  <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>明るさ</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>コントラスト</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>ガンマ</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>線の強調</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>擦れた線や影の中の線を際立たせます</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>リセット</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>画像をそのまま表示します</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>変わるのは見え方だけで、ファイルは変わりません</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>すべての値をずらします</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>中間の灰色を中心に値を広げます</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>右へ動かすと暗い部分が明るくなります</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>当てはめたカメラの精度</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>地面上のメートル、1 標準偏差</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera ({model}) is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>当てはめたカメラ（{model}）の精度</translation>
-  </message>
-  <message>
-   <source>{metres:g} m, asked of offside technology</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m、オフサイド判定技術の要求</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd, median {median:.2f}</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>地面上のメートル、1 標準偏差、中央値 {median:.2f}</translation>
-  </message>
-  <message>
-   <source>metres on the ground</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>地面上のメートル</translation>
-  </message>
-  <message>
-   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m：見えるフィールドの {percent:.0f} %</translation>
-  </message>
-  <message>
-   <source>Drag to move the divider (arrow keys do it too)</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>ドラッグで仕切りを動かします（矢印キーも可）</translation>
-  </message>
-  <message>
-   <source>Divider of the split view</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>分割表示の仕切り</translation>
-  </message>
-  <message>
-   <source>JaC over tau, differences</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau に対する JaC の差</translation>
-  </message>
-  <message>
-   <source>No frame that two of the shown sources have is scored yet.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>表示中の 2 つのソースがともに持つフレームは、まだ採点されていません。</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>フレームごとの JaC</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>スコアはまだありません。バックグラウンドでフレームごとに計算します。</translation>
-  </message>
-  <message>
-   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{name} からほかの各ソースを引いた値（両者にあるフレーム）。95 % の帯が 0 を外れる所は偶然とはいえません。{drawn}。</translation>
-  </message>
-  <message>
-   <source>One source alone has nothing to be compared with.
-Load or show another one.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>ソースが 1 つだけでは比較できません。
-別のソースを読み込むか表示してください。</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name}（フレーム {n}）</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>このフレームのスコアはありません：注釈がないか、表示中のどのソースにもカメラがありません。</translation>
-  </message>
-  <message>
-   <source>JaC, difference</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC の差</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>フレーム</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>各曲線は、そのソースにカメラのあるフレームの平均です。</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>網掛け：95 % の帯、{drawn}。</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>誤差のヒストグラム</translation>
-  </message>
-  <message>
-   <source>Errors, by image radius</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>画像半径に対する誤差</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>距離のない {n:,} 点を除外。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
-   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>点の表示：{n:,} 点中 {painted:,}（最大の誤差を含む）。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>再投影誤差 (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>点の数</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>最後の棒はそれより大きい誤差のすべてです。</translation>
-  </message>
   <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{px:g} px 以上</translation>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>注釈</translation>
   </message>
   <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} / {total:,}</translation>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>問題なし</translation>
   </message>
   <message>
-   <source>distance from the centre (corner = 1)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>中心からの距離（角 = 1）</translation>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>このフレームでは使用中のカメラが誤り</translation>
   </message>
   <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>このフレームに {element} の点はありません。</translation>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>このフレームではクリックが誤り</translation>
   </message>
   <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{element} の点はまだありません。</translation>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>このフレームではカメラもクリックも正しい</translation>
   </message>
   <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>このフレームには、表示中のソースが投影する注釈点がありません。</translation>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>要素ごとのスコア</translation>
   </message>
   <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>表示中のソースが投影する注釈点はまだありません。</translation>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>適合率</translation>
   </message>
   <message>
-   <source>Lines: running median of all points.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>線：全点の移動中央値。</translation>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>再現率</translation>
   </message>
   <message>
-   <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation>ソース：{names}</translation>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>平均誤差</translation>
   </message>
   <message>
-   <source>({n:,} of {total:,})</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（{n:,} / {total:,}）</translation>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>全点の再投影誤差の平均、px</translation>
   </message>
   <message>
-   <source>All elements</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>すべての要素</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>保存</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>グラフとその数値をコピーまたは保存します</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>グラフをコピーまたは保存</translation>
-  </message>
-  <message>
-   <source>Plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>グラフ</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>表示中のフレーム、またはこれまでに採点した全フレームをグラフにします</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>1 つの要素の点だけをグラフにします</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>画像のフォルダーを開くとグラフが見られます。</translation>
-  </message>
-  <message>
-   <source>This plot could not be computed: {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>このグラフは計算できませんでした：{error}。</translation>
-  </message>
-  <message>
-   <source>({n:,} committed)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（提出済み {n:,}）</translation>
-  </message>
-  <message>
-   <source>Copy picture</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>画像をコピー</translation>
-  </message>
-  <message>
-   <source>Copy numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>数値をコピー</translation>
-  </message>
-  <message>
-   <source>Save picture…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>画像を保存…</translation>
-  </message>
-  <message>
-   <source>Save numbers…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>数値を保存…</translation>
-  </message>
-  <message>
-   <source>Computing…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>計算中…</translation>
-  </message>
-  <message>
-   <source>(hidden)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（非表示）</translation>
-  </message>
-  <message>
-   <source>(no score)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（スコアなし）</translation>
-  </message>
-  <message>
-   <source>Pan, tilt, roll, zoom over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>フレームごとのパン、チルト、ロール、ズーム</translation>
-  </message>
-  <message>
-   <source>Position over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>フレームごとの位置</translation>
-  </message>
-  <message>
-   <source>tilt</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>チルト</translation>
-  </message>
-  <message>
-   <source>roll</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>ロール</translation>
-  </message>
-  <message>
-   <source>focal</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>焦点距離</translation>
-  </message>
-  <message>
-   <source>height</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>高さ</translation>
-  </message>
-  <message>
-   <source>No poses yet. They are gathered in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>姿勢はまだありません。バックグラウンドでフレームごとに集めます。</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>パン</translation>
-  </message>
-  <message>
-   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>表示中のソースのモデルには姿勢がありません（ホモグラフィ、投影のみ）。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{name}: {n:,} jumps (rings).</source>
-   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>
-    <numerusform>{name}：急変 {n:,} か所（輪）。</numerusform>
-   </translation>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>再投影誤差の中央値、px</translation>
   </message>
   <message>
-   <source>{name}: its model has no pose.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name}：モデルに姿勢がありません。</translation>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>最大</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>非表示：ブラインドモードでは提出済みのフレームだけを示し、このグラフには 1 つもありません。</translation>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>再投影誤差の最大、px</translation>
   </message>
   <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>非表示：ブラインドモードでは、このフレームの提出後にこのグラフを表示します。</translation>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{name} にはこのフレームのカメラがありません。</translation>
   </message>
   <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>ショットは名前で区別しています：{error}。</translation>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>点：{kinds}</translation>
   </message>
   <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>画像上の残差</translation>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>誤り</translation>
   </message>
   <message>
-   <source>Residuals, by direction</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>方向別の残差</translation>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>このフレームのスコアが低いのはどちらのせいか。データセットに保存されます</translation>
   </message>
   <message>
-   <source>{px:.2f} px right</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>右へ {px:.2f} px</translation>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>この説明をコピー</translation>
   </message>
   <message>
-   <source>{px:.2f} px left</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>左へ {px:.2f} px</translation>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>すべての説明をコピー</translation>
   </message>
   <message>
-   <source>{px:.2f} px down</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>下へ {px:.2f} px</translation>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>画像のフォルダーを開くとスコアが見られます。</translation>
   </message>
   <message>
-   <source>{px:.2f} px up</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>上へ {px:.2f} px</translation>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC –：{why}。</translation>
   </message>
   <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>矢印の拡大</translation>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>このフレームのカメラは使えません：
+{error}</translation>
   </message>
   <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>矢印を実際の何倍の長さで描くか</translation>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>評価する当てはめがありません：{why}。</translation>
   </message>
   <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>自動</translation>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>判定：{verdict}</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>矢印は実際の {factor} 倍の長さ：クリックから投影へ。</translation>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{verdict}。もう一度で取り消し（{key}）</translation>
   </message>
   <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>矢印は実際の {factor} 倍の長さ：5 点以上ある画像の各区画の残差の中央値。</translation>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>すべての点が tau より近い要素</translation>
   </message>
   <message>
-   <source>to the right (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>右へ (px)</translation>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>遠すぎる要素、または投影されたが注釈のない要素</translation>
   </message>
   <message>
-   <source>down (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>下へ (px)</translation>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>注釈されたがカメラが投影しない要素</translation>
   </message>
   <message>
-   <source>Median of clicks to projection: {ways}.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>クリックから投影への中央値：{ways}。</translation>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{class_name} として数える</translation>
   </message>
   <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>点がまだ足りません：画像の 1 区画に 5 点で矢印になります。</translation>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>アンカー</translation>
   </message>
   <message>
-   <source>No three frames in a row have a camera that goes from one to the next.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>連続する 3 フレームにつながったカメラがありません。</translation>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>追跡</translation>
   </message>
   <message>
-   <source>Jitter over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>フレームごとのぶれ</translation>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>補間</translation>
   </message>
   <message>
-   <source>How far each frame is from steady motion between its neighbours.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>各フレームが、隣どうしの滑らかな動きからどれだけ外れるか。</translation>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>見失い</translation>
   </message>
   <message>
-   <source>jitter (px)</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>ぶれ (px)</translation>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>フレーム {number}（{first}～{last}）</translation>
   </message>
   <message>
-   <source>Picture (*.png);;Vector graphics (*.svg)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>画像 (*.png);;ベクター画像 (*.svg)</translation>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{state}、線の {share:.0%} が塗りの上</translation>
   </message>
   <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>表 (*.csv)</translation>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>名前の番号は {step} ずつ増えます</translation>
   </message>
   <message>
-   <source>the plotted numbers are on the clipboard</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>グラフの数値をクリップボードにコピーしました</translation>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>カメラを動かしました</translation>
   </message>
   <message>
-   <source>Save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>グラフを保存</translation>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>ブラインド：カメラは非表示</translation>
   </message>
   <message>
-   <source>wrote {path}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} を書き出しました（採点済みの分まで）</translation>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{found}、ずれ {far:.1f} px</translation>
   </message>
   <message>
-   <source>wrote {path}</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{path} を書き出しました</translation>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>疑わしい：{why}</translation>
   </message>
   <message>
-   <source>the plot is on the clipboard as a picture</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>グラフを画像としてクリップボードにコピーしました</translation>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>ショットのフレーム</translation>
   </message>
   <message>
-   <source>there is nothing plotted to take along</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>持ち出せるグラフがありません</translation>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>矢印キーでフレームを移動、Shift で区間に印、Esc で解除</translation>
   </message>
   <message>
-   <source>{frames}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{frames}、採点済みの分まで</translation>
+   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
+   <extracomment>[procc_annotator/gui/panels/widgets.py]</extracomment>
+   <translation>{number:g} は不可: {least:g}～{most:g}{unit}</translation>
   </message>
   <message>
    <source>Fit and ghosts</source>
@@ -4075,6 +5795,11 @@ Load or show another one.</source>
    <source>Annotating</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
    <translation>注釈</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what})</source>
+   <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
+   <translation>予期しないエラー ({what})</translation>
   </message>
   <message>
    <source>{who} unlocked this dataset from blind mode on {day}</source>
@@ -4107,11 +5832,6 @@ Load or show another one.</source>
    <translation>{reason}：フレームメニューで解除できます（記録されます）</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>まず画像のフォルダーを開いてください</translation>
-  </message>
-  <message>
    <source>this dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
    <translation>このデータセットはブラインドモードに固定されています</translation>
@@ -4132,169 +5852,119 @@ Load or show another one.</source>
    <translation>その中のフォルダーを 1 つ読み込んでください：{names}</translation>
   </message>
   <message>
-   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} は要素の見える位置だけを共有し、カメラがありません：比較する地面がありません。</translation>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>すでに同じ内容です</translation>
   </message>
   <message>
-   <source>{names}: no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names}：このフレームのカメラがありません。</translation>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>すでに注釈済みです</translation>
   </message>
   <message>
-   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{name} は要素の見える位置だけを共有し、カメラがありません：比較する地面がありません。</translation>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>{who} が編集中です</translation>
   </message>
   <message>
-   <source>{a} and {b}</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{a} と {b}</translation>
-  </message>
-  <message>
-   <source>The two see no part of the field in common in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>このフレームでは、2 つのカメラに共通して見えるフィールドの部分がありません。</translation>
-  </message>
-  <message>
-   <source>Both cameras are the same in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>このフレームでは 2 つのカメラが同じです。</translation>
-  </message>
-  <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまで非表示です。</translation>
-  </message>
-  <message>
-   <source>No source is judged: choose one first.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>評価するソースがありません。まず 1 つ選んでください。</translation>
-  </message>
-  <message>
-   <source>Two sources of cameras are needed: load another one.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>カメラのソースが 2 つ必要です。もう 1 つ読み込んでください。</translation>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>編集できません</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>ブラインド：ここには注釈がありません。もう一度 Ctrl+Enter を押すとカメラを表示し、その後のクリックはブラインド作業になりません</translation>
   </message>
   <message>
    <source>{frame} is done</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} は完了です</translation>
   </message>
   <message>
    <source>nothing to undo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>このフレームには元に戻す操作がありません</translation>
   </message>
   <message>
    <source>undo once more takes that away</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>もう一度元に戻すとそれも取り消します</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} は別の場所で変更され、読み直しました：{so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>未確定の要素は数えません：{count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>元に戻しました：{step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>やり直しました：{step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} は別の場所で変更されました：読み直しました</translation>
   </message>
   <message>
    <source>nothing is undone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>何も元に戻していません</translation>
   </message>
   <message>
    <source>nothing is redone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>何もやり直していません</translation>
   </message>
   <message>
    <source>nothing to redo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>このフレームにはやり直す操作がありません</translation>
   </message>
   <message>
-   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>このデータセットのフィールドは {file} が決めています。別のものを選ぶには、そのファイルを移してデータセットを開き直してください</translation>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>{name} のカメラが変わりました：{why}</translation>
   </message>
   <message>
-   <source>field: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>フィールド：{field}</translation>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>{name} のカメラがディスク上で変わったため、読み直しました</translation>
   </message>
   <message>
-   <source>this dataset's field from now on: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>以後このデータセットのフィールド：{field}</translation>
-  </message>
-  <message>
-   <source>this dataset's field from now on, {reach}: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>以後このデータセットのフィールド（{reach}）：{field}</translation>
-  </message>
-  <message>
-   <source>no other field knows the classes here better</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>ここのクラスにこれ以上合うフィールドはありません</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>これより後のフレームはすべて注釈済みです</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>これより前のフレームはすべて注釈済みです</translation>
-  </message>
-  <message>
-   <source>{title}: its line could not be looked for: {why}</source>
-   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation>{title}：線を探せませんでした：{why}</translation>
-  </message>
-  <message>
-   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} の位置は {place} m、± {deviations}、{views} ビューから</translation>
-  </message>
-  <message>
-   <source>{title} was deleted meanwhile: its place was not kept</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} はその間に削除されたため、位置は保存していません</translation>
-  </message>
-  <message>
-   <source>left out: {names}</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>除外：{names}</translation>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/saving.py]</extracomment>
+   <translation>保存されていません：{why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
    <translation>データセットの目印は変わりません：{why}</translation>
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} の位置は {place} m、± {deviations}、{views} ビューから</translation>
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} はその間に削除されたため、位置は保存していません</translation>
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>除外：{names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
@@ -4307,54 +5977,149 @@ Load or show another one.</source>
    <translation>データセットの目印が再び使えます</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>自動当てはめはオフです</translation>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names} は要素の見える位置だけを共有し、カメラがありません：比較する地面がありません。</translation>
   </message>
   <message>
-   <source>the fit failed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>当てはめに失敗しました：{why}</translation>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names}：このフレームのカメラがありません。</translation>
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{name} は要素の見える位置だけを共有し、カメラがありません：比較する地面がありません。</translation>
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{a} と {b}</translation>
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>このフレームでは、2 つのカメラに共通して見えるフィールドの部分がありません。</translation>
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>このフレームでは 2 つのカメラが同じです。</translation>
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>ブラインド：このフレームを提出するまで非表示です。</translation>
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>評価するソースがありません。まず 1 つ選んでください。</translation>
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>カメラのソースが 2 つ必要です。もう 1 つ読み込んでください。</translation>
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>当てはめたカメラにはフィールドが写っていません。</translation>
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>自動当てはめがオフのため、不確かさの地図はありません（Ctrl+T でオン）。</translation>
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>このフレームの当てはめがないため、不確かさの地図はありません。</translation>
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>まだカメラがないため、不確かさの地図はありません：{why}。</translation>
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>塗りの幅を描けません：{why}</translation>
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>このデータセットのフィールドは {file} が決めています。別のものを選ぶには、そのファイルを移してデータセットを開き直してください</translation>
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>フィールド：{field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>以後このデータセットのフィールド：{field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>以後このデータセットのフィールド（{reach}）：{field}</translation>
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>ここのクラスにこれ以上合うフィールドはありません</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>これより後のフレームはすべて注釈済みです</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>これより前のフレームはすべて注釈済みです</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>{folder} に書き込めません：ここでの注釈は保存できません</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>まだすべては保存されていません：別のデータセットは開きませんでした</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>まだすべては保存されていません：動画は開きませんでした</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>何も開いていません</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>このデータセットのフィールド：{field}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>{name} のカメラが変わりました：{why}</translation>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>{title}：線を探せませんでした：{why}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed on disk: read again</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>{name} のカメラがディスク上で変わったため、読み直しました</translation>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>自動当てはめはオフです</translation>
   </message>
   <message>
-   <source>the painted width cannot be drawn: {why}</source>
-   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation>塗りの幅を描けません：{why}</translation>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>当てはめに失敗しました：{why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -4382,9 +6147,14 @@ Load or show another one.</source>
    <translation>このウィンドウだけ：何も書き込めません</translation>
   </message>
   <message>
-   <source>not saved: {why}</source>
-   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation>保存されていません：{why}</translation>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}：カメラがありません（{what_to_do}）</translation>
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}：フレームの名前を持つカメラがありません（カメラは {camera!r}、フレームは {frame!r} のような名前です）</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -4402,36 +6172,6 @@ Load or show another one.</source>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
    <translation>2 人目の注釈：{why}</translation>
-  </message>
-  <message>
-   <source>it holds the same already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>すでに同じ内容です</translation>
-  </message>
-  <message>
-   <source>it is annotated already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>すでに注釈済みです</translation>
-  </message>
-  <message>
-   <source>{who} is editing it</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>{who} が編集中です</translation>
-  </message>
-  <message>
-   <source>it cannot be edited</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>編集できません</translation>
-  </message>
-  <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}：カメラがありません（{what_to_do}）</translation>
-  </message>
-  <message>
-   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}：フレームの名前を持つカメラがありません（カメラは {camera!r}、フレームは {frame!r} のような名前です）</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
@@ -4454,2211 +6194,59 @@ Load or show another one.</source>
    <translation>注釈を読めません</translation>
   </message>
   <message>
-   <source>The fitted camera sees no part of the field.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>当てはめたカメラにはフィールドが写っていません。</translation>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title} のゴースト</translation>
   </message>
   <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>自動当てはめがオフのため、不確かさの地図はありません（Ctrl+T でオン）。</translation>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>採用</translation>
   </message>
   <message>
-   <source>There is no fit of this frame, so no uncertainty map.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>このフレームの当てはめがないため、不確かさの地図はありません。</translation>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>拡大して見る</translation>
   </message>
   <message>
-   <source>No camera yet, so no uncertainty map: {why}.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>まだカメラがないため、不確かさの地図はありません：{why}。</translation>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
+   <translation>ここでは見えない</translation>
   </message>
   <message>
-   <source>Frames as small pictures</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>フレームの小さな画像</translation>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title} を描画中</translation>
   </message>
   <message>
-   <source>The arrows go along, Enter shows the frame</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>矢印キーで移動、Enter でフレームを表示</translation>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>ここで分割：残りのクラス</translation>
   </message>
   <message>
-   <source>Frames of the shot</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>ショットのフレーム</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>ここでは見えない：取り消す</translation>
   </message>
   <message>
-   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>矢印キーでフレームを移動、Shift で区間に印、Esc で解除</translation>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>クラスを変更（注釈済みなら入れ替え）</translation>
   </message>
   <message>
-   <source>anchor</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>アンカー</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title} の点 {number}</translation>
   </message>
   <message>
-   <source>followed</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>追跡</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>統合先</translation>
   </message>
   <message>
-   <source>bridged</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>補間</translation>
-  </message>
-  <message>
-   <source>lost</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>見失い</translation>
-  </message>
-  <message>
-   <source>frame {number} of {first}–{last}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>フレーム {number}（{first}～{last}）</translation>
-  </message>
-  <message>
-   <source>{state}, {share:.0%} of the lines on paint</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{state}、線の {share:.0%} が塗りの上</translation>
-  </message>
-  <message>
-   <source>names count by {step}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>名前の番号は {step} ずつ増えます</translation>
-  </message>
-  <message>
-   <source>its camera was dragged</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>カメラを動かしました</translation>
-  </message>
-  <message>
-   <source>blind: its camera is hidden</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>ブラインド：カメラは非表示</translation>
-  </message>
-  <message>
-   <source>{found}, {far:.1f} px from it</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{found}、ずれ {far:.1f} px</translation>
-  </message>
-  <message>
-   <source>doubtful: {why}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>疑わしい：{why}</translation>
-  </message>
-  <message>
-   <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>変更なし：すでに整っているか、塗られた線が見つかりませんでした</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} から{what}を追跡に沿ってコピーしました。Shift+V ですべて確定</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} から{what}をカメラの動きに合わせてコピーしました。Shift+V ですべて確定</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} から{what}をそのままコピーしました：動きが求まりません。Shift+V ですべて確定</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>取り消しました：何も整えていません</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>取り消しました：何もコピーしていません</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>フレームを離れたため、何も整えませんでした</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>フレームを離れたため、何もコピーしませんでした</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>塗りで確かめられない点 {n} 個</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what}を整える</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} からコピー</translation>
-  </message>
-  <message>
-   <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>まず注釈済みの要素を選んでください</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>要素 {n} 個</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what}を整えました：{n} 点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{element} には角があるか 1 点だけなので、そのままにします</translation>
-  </message>
-  <message>
-   <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>ここにはフィールドの要素が注釈されていません</translation>
-  </message>
-  <message>
-   <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>これより前に注釈済みのフレームはありません</translation>
-  </message>
-  <message>
-   <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} には、ここにない要素がありません</translation>
-  </message>
-  <message>
-   <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} を {other} に変更</translation>
-  </message>
-  <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} と {other} を入れ替え</translation>
-  </message>
-  <message>
-   <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} を {other} として複製</translation>
-  </message>
-  <message>
-   <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} を {other} に統合</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>すき間を閉じる</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>要素 {n} 個を確定</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>未確定の要素 {n} 個を捨てる</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} は自分自身が対称クラスです</translation>
-  </message>
-  <message numerus="yes">
-   <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{elements} はすでに注釈済みです</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} が {other} と同じ位置にあります。所定の位置へ動かしてください</translation>
-  </message>
-  <message>
-   <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} の向きを逆にする</translation>
-  </message>
-  <message>
-   <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>まず分割する点を選んでください（編集モード）</translation>
-  </message>
-  <message>
-   <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} を分割</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>要素 {n} 個を確定しました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>このフレームに未確定のものはありません</translation>
-  </message>
-  <message>
-   <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>角や画像の縁にそれほど近い端はありません</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>未確定の要素 {n} 個を捨てました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>要素は両端以外の点で、空いているクラスへ分割します</translation>
-  </message>
-  <message>
-   <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} は別の場所で変更されました。もう一度確認してください</translation>
-  </message>
-  <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} 点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}：{points}、線の見え方 {share:.0%}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{elements} の {n} 端は見えません：点は手前で止まります</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>その間にカメラが変わりました</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what}を採用</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>ゴースト {n} 個</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{total} 中 {n} 個のゴースト</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what}を採用しました</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} 端は見えません：点は手前で止まります</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>その間にフレームが編集されました</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{frame} で線を探すのに時間がかかりすぎました</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} は採用されません：{why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>すべてのゴーストを採用</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>ほかのすべてと一緒に採用するには、ゴーストの線がどれだけ見える必要があるか（%）：</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}：沿った塗りの線が見つかりません。手でクリックするか、ここでは見えないとしてください（.）</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>カメラを当てはめ中です。ゴーストは少し後で採用してください</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません。線の見え方が {least:.0%} 未満：{ghosts}。Tab で順に見ます</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{frame} で{what}を採用しました</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません：線を探す画像がありません</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません：{why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} は採用されません</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>ゴーストを採用しました。新しい当てはめのゴーストを採用してください</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>描画中のものを終えました。新しい当てはめのゴーストを採用してください</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} は点が見つかり次第採用します</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>まずゴーストへ移るか（Tab）、要素を選んでください</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>最初のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描くか、ショットを追跡してください（T）</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>最後のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>カメラを当てはめ中です。ゴーストはまもなく現れます</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：画像からカメラを探しています</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：{why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：ほかに見えるものは注釈済みか、十分に確かではありません</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：要素を 3～4 個注釈するとカメラが求まります</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描いてください</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ブラインドモードでは、フレームを提出するまでゴーストはありません（Ctrl+Enter）</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：自動当てはめがオフです（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：オフになっています（要素 &gt; ゴースト &gt; ゴーストを表示）</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>重ね描きが非表示のため、ゴーストは見えません（Ctrl+H、または X を離す）</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>まず描画中のものを終えるか（Enter）、取り消してください（Esc）</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：カメラを当てはめられませんでした</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>まだ合うカメラがありません</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>手で描いている最中です</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} はここで注釈済みです。まず削除してください（Ctrl+Delete）</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} はここでは見えません。Ctrl+. で取り消し</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} はここで再び見える可能性があります</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>このフレームで見えないとされた要素はありません</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>最後のゴーストでした</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>まずゴーストへ移ってください（Tab）</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{off}。まず要素を選んでください</translation>
-  </message>
-  <message>
-   <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>線の名前</translation>
-  </message>
-  <message>
-   <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>この線は何ですか？</translation>
-  </message>
-  <message>
-   <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} は曲線で、2 点では表せません：クリックを続けてください</translation>
-  </message>
-  <message>
-   <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} はすでに注釈されています</translation>
-  </message>
-  <message>
-   <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>名前を付けない</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>スコアは、公式評価が用いる公称フィールド（{nominal}）のものと異なります。計算に使った寸法が記されます。</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>独自の寸法（stadiums.csv）：{stadiums}の{frames}。ここでの入力は、それ以外と、スタジアムの定めていない寸法に使われます。</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>スコアは公式評価のものと異なります。公式評価では規則の測る位置を線とします。スコアにその旨が記されます。</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>規則では多くの線を塗りの縁で測ります。クリックは塗りの中央、つまり幅の半分だけ離れた位置に置かれます。屋内競技やカメラに近い場合など、差が問題になるときに選んでください。</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>フレームから求められるのは長さと幅だけで、このフィールドでは規則で決まっています</translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>規則の測る位置</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>塗りの中央</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>フィールドの寸法：{field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>このセットから推定</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>このデータセットに保存</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>公称値</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>公式評価が用いるフィールド</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>公称 {nominal:g} m、規則では {minimum:g}～{maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>&lt;b&gt;{number:g} m は不可：規則では {minimum:g}～{maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} フレーム</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} スタジアム</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>クリックの位置：</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>フィールドはそのままとし、これらのクラスについて今後尋ねません</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>データセットが記憶し、今後は尋ねません</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>いいえ、{field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>このデータセットのフィールド</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>フィールドの定義 (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>これは {field} ですか？ここで注釈されたクラスは {field} のものです</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{why}。ただしデータセットのフォルダーの {file} が優先されます</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>はい、{field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{field} に切り替える</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{problem}。フィールドは変わりません：{field}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m、{n} フレームから。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} フレームのカメラから。± は 1 標準偏差。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>{remark}。元のままです。</translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>ブラインド：提出していないフレームは対象外です（{n}）。</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>読めないフレームは対象外です：{n}。</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>フィールド {field} の寸法はすべて規則で決まっています</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>ブラインド：1 フレームを提出するとセットを調べます（Ctrl+Enter）。</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>同じ瞬間を別のカメラから写したフレームが 1 つのグループです。名前のパターンで指定します：&lt;b&gt;{instant}&lt;/b&gt; は撮影の瞬間、&lt;b&gt;{view}&lt;/b&gt; はカメラ、それ以外は文字どおりです。&lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; と &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; を含む正規表現も使えます。</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>これらの名前に合うパターンが見つかりません。書いてください。</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>瞬間</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} グループ（各 {least}～{most}）</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} グループ</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>フレームのグループ</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>フレームが 1 つだけの瞬間 {n:,}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>合わない名前 {n:,}（表の末尾）</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>この名前はパターンに合わないため、フレームは単独です</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>ビューをまとめる</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>フレーム名のパターン</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>{file} に書き込む</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>これらのグループをデータセットのフォルダーに保存します</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>今の内容は、そこに書かれたほかのすべてとともに失われます。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} 瞬間</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム、グループなし。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} はすでにあります：{sizes}。</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>以後 {file} が{sizes}をまとめます</translation>
-  </message>
-  <message>
-   <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>結果</translation>
-  </message>
-  <message>
-   <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>注釈を取り込む</translation>
-  </message>
-  <message>
-   <source>Import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>取り込む</translation>
-  </message>
-  <message>
-   <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>取り込む注釈</translation>
-  </message>
-  <message>
-   <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>ファイルを調べる</translation>
-  </message>
-  <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>まだ注釈のないフレームだけ</translation>
-  </message>
-  <message>
-   <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>ほかのフレームの注釈も置き換える</translation>
-  </message>
-  <message>
-   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>前の内容はフレームの以前の版に残り、元に戻すでも復元できます</translation>
-  </message>
-  <message>
-   <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>注釈</translation>
-  </message>
-  <message>
-   <source>Format</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>形式</translation>
-  </message>
-  <message>
-   <source>Import into</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>取り込み先</translation>
-  </message>
-  <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>フレームは画像の名前で対応付けます。</translation>
-  </message>
-  <message>
-   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>注釈 (*.json *.xml *.zip);;すべてのファイル (*)</translation>
-  </message>
-  <message>
-   <source>Export as</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>形式を選んで書き出す</translation>
-  </message>
-  <message>
-   <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>フォルダーの代わりに 1 つの zip にする</translation>
-  </message>
-  <message>
-   <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>既存のファイルを置き換える</translation>
-  </message>
-  <message>
-   <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>SoccerNet にクラスのない要素も残す</translation>
-  </message>
-  <message>
-   <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>線の幅</translation>
-  </message>
-  <message>
-   <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>画像もコピーする</translation>
-  </message>
-  <message>
-   <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>フォルダーに書き出す</translation>
-  </message>
-  <message>
-   <source>Keeps {holds}.
-Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>残るもの：{holds}。
-失われるもの：{loses}。</translation>
-  </message>
-  <message>
-   <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
-   <translation>取り消し</translation>
-  </message>
-  <message>
-   <source>Close</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>閉じる</translation>
-  </message>
-  <message>
-   <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>フォルダー、zip、または 1 つのファイル</translation>
-  </message>
-  <message>
-   <source>File…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>ファイル…</translation>
-  </message>
-  <message>
-   <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>フォルダー…</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>zip (*.zip)</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 件の注釈</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームの JaC</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{source} は採点に使うクリック自身から作られています。採点するカメラを評価してください（procc-annotator calibrate はセットを当てはめて採点します）</translation>
-  </message>
-  <message>
-   <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{annotations}と{scores}</translation>
-  </message>
-  <message>
-   <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>書き出すものがありません：注釈のあるフレームがありません</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>zip (*.zip);;フォルダー (*)</translation>
-  </message>
-  <message>
-   <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>表 (*.csv);;JSON (*.json)</translation>
-  </message>
-  <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>まずカメラを読み込んでください：採点するものがありません</translation>
-  </message>
-  <message>
-   <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>ブラインド：提出済みのフレームがまだないため、示せる JaC がありません</translation>
-  </message>
-  <message>
-   <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{what}を {path} に書き出しました</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>すべては保存できませんでした：書き出したのは最後に保存した状態です</translation>
-  </message>
-  <message numerus="yes">
-   <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>ブラインドモードのため、未提出の {n:,} フレームを除きます</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} ファイルを読めませんでした：{problem}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>書き出す</translation>
-  </message>
-  <message>
-   <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>書き出し {done} / {total}</translation>
-  </message>
-  <message>
-   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>{frames}、{elements}、{points}を {path} に書き出しました（{format}）。</translation>
-  </message>
-  <message>
-   <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>すべては保存できませんでした：ディスク上の内容を書き出します。</translation>
-  </message>
-  <message>
-   <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>書き出しを取り消しました。すでに書き出したファイルは残っています</translation>
-  </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>何も書き出していません：注釈のあるフレームがないか、どれも書き出せませんでした。</translation>
-  </message>
-  <message>
-   <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>取り消しました。すでに書き出したファイルは残っています。</translation>
-  </message>
-  <message>
-   <source>Not written</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>書き出せなかったもの</translation>
-  </message>
-  <message>
-   <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>この形式で保持できないもの</translation>
-  </message>
-  <message>
-   <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame} の当てはめを {path} に保存しました</translation>
-  </message>
-  <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>保存するカメラがありません：当てはめがまだです</translation>
-  </message>
-  <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>自動当てはめはオフです（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまで当てはめは非表示です（Ctrl+Enter）</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>保存するカメラがありません：{why}</translation>
-  </message>
-  <message>
-   <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>当てはめを計算し直しています。少し後で保存してください</translation>
-  </message>
-  <message>
-   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame}：画像を読めないため、カメラのピクセルの基準となるサイズがありません。保存していません</translation>
-  </message>
-  <message>
-   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{path} に保存しましたが、読み込んだカメラを読み直せませんでした：{problem}</translation>
-  </message>
-  <message>
-   <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{saved}。ほぼ決まっていません：{why}</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>取り込む…</translation>
-  </message>
-  <message>
-   <source>Take these annotations in; their files stay as they are</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>これらの注釈を取り込みます。元のファイルは変わりません</translation>
-  </message>
-  <message>
-   <source>Leave them, and say nothing more of them</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>取り込まず、今後は知らせません</translation>
-  </message>
-  <message>
-   <source>Annotations of another program lie in this dataset: {format}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>ほかのプログラムの注釈がこのデータセットにあります：{format}。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム中 {edited} を取り込みました（{format}）。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>取り消しました：{n:,} フレームは調べていません。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームは注釈済みのため、そのままにしました。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームはすでに同じ内容です。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>取り込み</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム中 {edited} を取り込みました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>取り消しました。何も取り込んでいません。</translation>
-  </message>
-  <message>
-   <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>そのままにしたもの</translation>
-  </message>
-  <message>
-   <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>読めなかったもの</translation>
-  </message>
-  <message>
-   <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>ここに画像のないもの（{n}）</translation>
-  </message>
-  <message>
-   <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>変更または除外したもの</translation>
-  </message>
-  <message>
-   <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>保存できませんでした：{why}</translation>
-  </message>
-  <message>
-   <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>?（そのまま、未知のクラス）</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>除外する</translation>
-  </message>
-  <message>
-   <source>Label</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>ラベル</translation>
-  </message>
-  <message>
-   <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>図形</translation>
-  </message>
-  <message>
-   <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>対応先</translation>
-  </message>
-  <message>
-   <source>Why</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>理由</translation>
-  </message>
-  <message>
-   <source>sure</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>確か</translation>
-  </message>
-  <message>
-   <source>likely</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>有力</translation>
-  </message>
-  <message>
-   <source>to be said</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>要指定</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 個のラベルは {field} のクラスではありません。何に対応するかを指定してください。候補は、語と、図形がどの要素の上にあるかから選びました。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>これらの名前は {field} のものに近いようです。先にそのフィールドを選んでください（ファイル &gt; フィールド）。</translation>
-  </message>
-  <message>
-   <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>ほかのプログラムの名前</translation>
-  </message>
-  <message>
-   <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>これらの名前をデータセットに保存する（{file}）</translation>
-  </message>
-  <message>
-   <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>{label} の対応先</translation>
-  </message>
-  <message>
-   <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>これらの名前をデータセットの {file} に加え、書き直します</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>画像</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>動画</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>サンプルはソースに付属しており、ここにはありません</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>自分用のコピー（{folder}）。カメラはカメラメニューから読み込んでください</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>カメラ</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>画像のフォルダーを開く</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>画像を開く</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>動画を開く</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>2 人目の注釈者のフォルダーを開く</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px、凡例を除く</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px は大きすぎます。倍率を下げるか SVG を選んでください</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>PNG：ピクセル、劣化なし</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>JPEG：ピクセル、小さい</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>SVG：線と文字が鮮明なまま</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>画像 (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>重ね描き画像を保存</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>画像の 1 px あたりの出力の px。線と文字も同じ比で大きくなります</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>色、破線、記号の意味を画像の下に示します</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>種類(&amp;K)</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>倍率(&amp;S)</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>結果</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>凡例(&amp;L)</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>重ね描き画像 {path} を書き出しています…</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>まず画像を開いてください</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{path}：元の画像そのものです。別の名前を選んでください</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>重ね描き画像を {path} に書き出しました</translation>
-  </message>
-  <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>概要を書き出す</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームを {path} に書き出しました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>セットはまだ採点中でした：JaC のないフレームがあります</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>以前ここで開いたカメラがもうありません：{paths}</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>以前ここで開いたカメラは開き直しません：{why}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>取り出す間隔</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>各場面の最初のフレーム</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>動画全体からカットを探します。しばらくかかります</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>フィールド</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>{file} を読み込み中</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>{file} のカットを探しています</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>このフレームはすでに画像です</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>{path} に保存しました</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>フレームの書き出しは行いません。「この動画フレームを残す」で画像になります。</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解除すると、これに注釈する全員にカメラ、ゴースト、当てはめが表示されます。{author} が解除したことと日時がデータセットに記録されます。</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解除すると、あなたにカメラ、ゴースト、当てはめが表示されます。ほかの人には固定されていませんでした。{author} が解除したことと日時がデータセットに記録されます。</translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>ブラインドモードの固定を解除</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解除して記録する</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>固定したままにする</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>エラー</translation>
-  </message>
-  <message>
-   <source>warning</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>警告</translation>
-  </message>
-  <message>
-   <source>hint</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>ヒント</translation>
-  </message>
-  <message>
-   <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>指摘 {place} / {total}、{severity}：{elements}</translation>
-  </message>
-  <message>
-   <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>検査パネルの設定ほど確かな指摘はありません</translation>
-  </message>
-  <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>要素 {n} 個のクラスを変更しました</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームを検査、カメラモデル {model}：{found}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>検査済みの {n:,} フレーム</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} と {other}</translation>
-  </message>
-  <message>
-   <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>クラス検査はこのフレームをまだ調べています</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>クラス検査の指摘はありません。すべてのフレームを調べるにはセット全体を検査してください</translation>
-  </message>
-  <message>
-   <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{done}。Ctrl+Z で取り消し</translation>
-  </message>
-  <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} の点 {n} を取り除きました</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} と {other} を入れ替えました</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} を {other} に変更しました</translation>
-  </message>
-  <message>
-   <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{elements} が変わるまで無視します。検査パネルで再び表示できます</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームは検査できません</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>指摘を書き出す</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{frames}の指摘 {n:,} 件を {path} に書き出しました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>クラス検査の指摘はありません</translation>
-  </message>
-  <message>
-   <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>その後要素が変わったため、検査し直しました</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} の点を取り除きました</translation>
-  </message>
-  <message>
-   <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>まず指摘へ移ってください（F10）</translation>
-  </message>
-  <message>
-   <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>セットの検査を止めました。これまでの指摘は残ります</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>このフレームにクラス検査の指摘はありません</translation>
-  </message>
-  <message>
-   <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>指摘なし</translation>
-  </message>
-  <message>
-   <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>対処法がありません：{reason}</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>ほかに差し戻しのフレームはありません</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>{frame} は{status}です</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>これより後のフレームはすべて完了または承認済みです</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>これより前のフレームはすべて完了または承認済みです</translation>
-  </message>
-  <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ブラインドモードのため、未提出のフレームの {n} 件を除きます</translation>
-  </message>
-  <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{frame}：{source} への判定を取り消しました</translation>
-  </message>
-  <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>判定へのメモ</translation>
-  </message>
-  <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ここでの誤り：</translation>
-  </message>
-  <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>判定を書き出す</translation>
-  </message>
-  <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ブラインド：提出済みのフレームに判定がありません</translation>
-  </message>
-  <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>まだ判定がありません。まずフレームを判定してください</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>判定 {n:,} 件を {path} に書き出しました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>判定はフレームとカメラに対するものです。まずカメラを読み込んでください</translation>
-  </message>
-  <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまでカメラは非表示です（Ctrl+Enter）</translation>
-  </message>
-  <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>まずフレームを判定してください：カメラの誤り、注釈の誤り、または問題なし</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>すべては保存できませんでした：数値は最後に保存した状態のものです</translation>
-  </message>
-  <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} はクリックに従います。判定は読み込んだカメラに対するものです</translation>
-  </message>
-  <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} はここで計算したものです。判定は読み込んだカメラに対するものです</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>以前の版に戻す</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>以前の版に戻しました。元に戻すで取り消せます</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>以前の版に戻しました。読めなかったものも版として残ります</translation>
-  </message>
-  <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>フレームが別の場所で変更されました。確認してからもう一度戻してください</translation>
-  </message>
-  <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>このフレームに以前の版はありません。</translation>
-  </message>
-  <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>現在との比較：{changes}。異なるもの：{elements}。</translation>
-  </message>
-  <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>読めません</translation>
-  </message>
-  <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>空</translation>
-  </message>
-  <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>現在と同じ</translation>
-  </message>
-  <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>要素が異なる</translation>
-  </message>
-  <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>点が移動</translation>
-  </message>
-  <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>フレームの現在の内容です。</translation>
-  </message>
-  <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>現在との比較：同じ点で、要素の順序が異なります。</translation>
-  </message>
-  <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>以前の版</translation>
-  </message>
-  <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>この版に戻す</translation>
-  </message>
-  <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>%Y/%m/%d %H:%M:%S</translation>
-  </message>
-  <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>ほか {n} 個</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{total} 中 {place} 番目に悪い：JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{total} 中 {place} 番目に悪い：最大誤差 {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{total} 中 {place} 番目に悪い：不一致の中央値 {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>JaC がまだありません。まずカメラを読み込んでください</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>移れるスコア付きのフレームがありません</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>セット全体で {source} と {other} を比較しています</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>不一致を見るにはソースが 2 つ必要です。カメラをもう 1 つ読み込んでください（Ctrl+L）</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} と {other} を地面上で比較できるフレームがありません</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>ソースの比較を止めました</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>これが最も悪いフレームです。もう一度で次へ</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>ほかにスコアのあるフレームはありません</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>最も悪いフレームから再び</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>移れるスコア付きのフレームがありません：ブラインドモードでは提出済みのフレームだけを示します</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>すでに 2 つのソースを比較しています</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} と {other} を比較しました</translation>
-  </message>
-  <message>
-   <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>すでに注釈されました</translation>
-  </message>
-  <message>
-   <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>その後編集されました</translation>
-  </message>
-  <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>採用するフレームがありません。まずショットを追跡してください（T）。疑わしいフレームと注釈済みのフレームは除きます</translation>
-  </message>
-  <message>
-   <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>ブラインドモード：クリックしていないものは採用しません</translation>
-  </message>
-  <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>追跡に沿って塗りを探しています：{total} 中 {done} フレーム</translation>
-  </message>
-  <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>追跡に沿って {n:,} フレームを採用しました</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Ctrl+Z で取り消し</translation>
-  </message>
-  <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>取り消しました：追跡に沿って採用した {n:,} フレーム</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームを残しました：{why}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>追跡に沿って塗りを探しています</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>採用したフレームはありません：{why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>追跡を採用</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>追跡を取り消す</translation>
-  </message>
-  <message>
-   <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>取り消せる採用はありません</translation>
-  </message>
-  <message>
-   <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>取り消しました：採用したフレームはありません</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>採用したフレームはありません：線がほとんど見えません</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームを追跡、うち {doubtful:,} は疑わしい（Alt+PgDown）。Ctrl+Shift+Enter で確かなものを採用</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>追跡中：{total} 中 {done} フレーム  ·  T で停止</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレームを追跡、すべて確か。Ctrl+Shift+Enter で採用</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>ショットの両端を探しています…  T で停止</translation>
-  </message>
-  <message>
-   <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>ショットを追跡できませんでした：{why}</translation>
-  </message>
-  <message>
-   <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>追跡できるのは動画か、連続するフレームだけです</translation>
-  </message>
-  <message>
-   <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>ブラインドモード：カメラが見えてしまうため、ショットは追跡しません</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>ショットに確かなカメラのフレームがありません。1 つ注釈してから追跡してください</translation>
-  </message>
-  <message>
-   <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>停止しました。これまでの追跡は残ります</translation>
-  </message>
-  <message>
-   <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>停止しました。追跡していません</translation>
-  </message>
-  <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>これより後に注釈済みのフレームはありません</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>これより後に疑わしいフレームはありません</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>これより前に疑わしいフレームはありません</translation>
-  </message>
-  <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>ブラインドモード：追跡の良し悪しは隠されます</translation>
-  </message>
-  <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>まだショットを追跡していません（T）</translation>
-  </message>
-  <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>これらのフレームは連続していません</translation>
-  </message>
-  <message>
-   <source>Jaccard index of this frame at tau</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>tau でのこのフレームの Jaccard 指数</translation>
-  </message>
-  <message>
-   <source>The camera set that is judged (C switches)</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>評価されるカメラのセット（C で切り替え）</translation>
-  </message>
-  <message>
-   <source>What the score is computed with: {terms}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>スコアの計算条件：{terms}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>当てはめの &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;ブラインド&lt;/b&gt;：提出すると JaC が見えます</translation>
-  </message>
-  <message>
-   <source>Three steps to a frame</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>1 フレームまで 3 ステップ</translation>
-  </message>
-  <message>
-   <source>Click the two ends of a painted line, then Enter</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>塗られた線の両端をクリックし、Enter</translation>
-  </message>
-  <message>
-   <source>{keys}: points along every line, on its paint</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}：各線の塗りに沿って点を置く</translation>
-  </message>
-  <message>
-   <source>{keys}, then Enter: take what the camera expects</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}、次に Enter：カメラの予想を採用</translation>
-  </message>
-  <message>
-   <source>Put the three steps away for ever (Help has the user guide)</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>3 ステップを今後表示しない（ガイドはヘルプに）</translation>
-  </message>
-  <message>
-   <source>Put the three steps away</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>3 ステップを閉じる</translation>
-  </message>
-  <message>
-   <source>{step}, done</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{step}（済み）</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title}（未確定）</translation>
   </message>
   <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
@@ -6666,9 +6254,29 @@ Loses {loses}.</source>
    <translation>Enter で実行 · ↑ ↓ で選択 · Esc で閉じる</translation>
   </message>
   <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>パネル</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>設定</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>開く</translation>
+  </message>
+  <message>
    <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>「{text}」という名前のものはありません。</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>フレーム {number} / {count}</translation>
   </message>
   <message>
    <source>An action, element, frame, camera source, folder, number</source>
@@ -6684,6 +6292,51 @@ Loses {loses}.</source>
    <source>What fits</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>一致するもの</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>このフレームへ移る</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>{source} を評価</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>このソースで評価します</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>自動当てはめ：モデル {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>このモデルをクリックに当てはめます。auto はクリックが支える最も単純なもの</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>パネル {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>このパネルを開いて手前に出します</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>しきい値 {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>この tau で要素を評価します</translation>
   </message>
   <message>
    <source>on</source>
@@ -6728,139 +6381,6 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>比較するには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title} のゴースト</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>採用</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>拡大して見る</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
-   <translation>ここでは見えない</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title} を描画中</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>ここで分割：残りのクラス</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>ここでは見えない：取り消す</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>クラスを変更（注釈済みなら入れ替え）</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title} の点 {number}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>統合先</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title}（未確定）</translation>
-  </message>
-  <message>
-   <source>Annotate</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>注釈</translation>
-  </message>
-  <message>
-   <source>Judge</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>評価</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>レビュー</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>作業画面</translation>
-  </message>
-  <message>
-   <source>Scores</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>スコア</translation>
-  </message>
-  <message>
-   <source>Fit</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>当てはめ</translation>
-  </message>
-  <message>
-   <source>Check</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>検査</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
-   <translation>グラフ</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>レビュー</translation>
-  </message>
-  <message>
-   <source>Agreement</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>一致度</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>画像の下にグラフを開く</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>グラフを閉じる</translation>
-  </message>
-  <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>予期しないエラー ({what})。保存は続きます。詳細は {path} にあります</translation>
-  </message>
-  <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>詳細をコピーしました。{path} にもあります</translation>
-  </message>
-  <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>予期しないエラーはありませんでした。記録先は {path} です</translation>
-  </message>
-  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>このページ内を検索</translation>
@@ -6881,133 +6401,128 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>見出し</translation>
   </message>
   <message>
-   <source>{one} or {other}</source>
-   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
-   <translation>{one} または {other}</translation>
-  </message>
-  <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>画像で</translation>
-  </message>
-  <message>
-   <source>Keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
-   <translation>キー一覧</translation>
-  </message>
-  <message>
-   <source>Search: a word, or a key. A click does what a row says.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>検索：単語またはキー。行をクリックすると実行します。</translation>
-  </message>
-  <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>キーを検索</translation>
-  </message>
-  <message>
-   <source>Actions and their keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>操作とそのキー</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>「{text}」を含むキー、操作、要素はありません。</translation>
-  </message>
-  <message>
-   <source>Choose an element</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>要素を選ぶ</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>自分のキー</translation>
   </message>
   <message>
    <source>Keys (*.json)</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>キー (*.json)</translation>
   </message>
   <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>画像で</translation>
+  </message>
+  <message>
    <source>{menu}: {action}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}：{action}</translation>
   </message>
   <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>検索：単語またはキー。行をクリックすると実行します。</translation>
+  </message>
+  <message>
    <source>Search: a word, or a key</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>検索：単語またはキー</translation>
   </message>
   <message>
    <source>Choose a row, then press its keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>行を選び、割り当てるキーを押してください</translation>
   </message>
   <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>{one} または {other}</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, the action keys]</extracomment>
+   <translation>キー一覧</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>キーを検索</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>「{text}」を含むキー、操作、要素はありません。</translation>
+  </message>
+  <message>
    <source>Change keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>キーを変更</translation>
   </message>
   <message>
    <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>検索</translation>
   </message>
   <message>
    <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>すべてのキーをまとめて</translation>
   </message>
   <message>
    <source>Only these</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>これだけ</translation>
   </message>
   <message>
    <source>No keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>キーなし</translation>
   </message>
   <message>
    <source>Usual keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>標準のキー</translation>
   </message>
   <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>取り込む…</translation>
+  </message>
+  <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ 2 つの操作に割り当てたキーはどちらも呼びません。一方に別のキーを割り当ててください。</translation>
   </message>
   <message>
    <source>Export keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>キーを書き出す</translation>
   </message>
   <message>
    <source>Import keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>キーを取り込む</translation>
   </message>
   <message>
    <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ 重複：{what}</translation>
   </message>
   <message>
    <source>New keys: press them here</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>新しいキー：ここで押す</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>{file}：{error}。キーは変わりません</translation>
   </message>
   <message>
    <source>Action or element</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>操作または要素</translation>
   </message>
   <message>
@@ -7016,103 +6531,24 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>{action}：{step}</translation>
   </message>
   <message>
-   <source>Panel</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>パネル</translation>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>予期しないエラー ({what})。保存は続きます。詳細は {path} にあります</translation>
   </message>
   <message>
-   <source>Setting</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>設定</translation>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>詳細をコピーしました。{path} にもあります</translation>
   </message>
   <message>
-   <source>Open</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>開く</translation>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>予期しないエラーはありませんでした。記録先は {path} です</translation>
   </message>
   <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>フレーム {number} / {count}</translation>
-  </message>
-  <message>
-   <source>Go to this frame</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>このフレームへ移る</translation>
-  </message>
-  <message>
-   <source>Judge {source}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>{source} を評価</translation>
-  </message>
-  <message>
-   <source>Judge with this source</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>このソースで評価します</translation>
-  </message>
-  <message>
-   <source>Live fit: model {model}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>自動当てはめ：モデル {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>このモデルをクリックに当てはめます。auto はクリックが支える最も単純なもの</translation>
-  </message>
-  <message>
-   <source>Panel {title}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>パネル {title}</translation>
-  </message>
-  <message>
-   <source>Open this panel and bring it to the front</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>このパネルを開いて手前に出します</translation>
-  </message>
-  <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>しきい値 {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>この tau で要素を評価します</translation>
-  </message>
-  <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>ツールバー</translation>
-  </message>
-  <message>
-   <source>Picture
-Brightness, contrast, gamma, line enhance: only what you see changes</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>画像
-明るさ、コントラスト、ガンマ、線の強調：見え方だけが変わります</translation>
-  </message>
-  <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>保存 {time}</translation>
-  </message>
-  <message numerus="yes">
-   <source>NOT SAVED: {n} frames</source>
-   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>
-    <numerusform>未保存：{n} フレーム</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>saving...</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>保存中...</translation>
-  </message>
-  <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>変更なし</translation>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>編集できません。理由は画像の上のバーにあります</translation>
   </message>
   <message>
    <source>Search the settings</source>
@@ -7180,43 +6616,72 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   </message>
   <message>
    <source>scoring {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>採点 {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Camera &gt; Stop scoring the set ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>カメラ &gt; セットの採点を止める で終わります</translation>
   </message>
   <message>
    <source>comparing {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>比較 {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>ghosts {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>ゴースト {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Esc ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Esc で終わります</translation>
   </message>
   <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>ツールバー</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>画像
+明るさ、コントラスト、ガンマ、線の強調：見え方だけが変わります</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>tau でのこのフレームの Jaccard 指数</translation>
+  </message>
+  <message>
    <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>しきい値 tau：すべての点がこれより近ければ要素は合格（+ と -）</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
-   <translation>しきい値 tau</translation>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>保存 {time}</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
-   <translation>編集できません。理由は画像の上のバーにあります</translation>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>評価されるカメラのセット（C で切り替え）</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>スコアの計算条件：{terms}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>
+    <numerusform>未保存：{n} フレーム</numerusform>
+   </translation>
   </message>
   <message>
    <source>Top bar</source>
@@ -7237,6 +6702,36 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>クリックで別のものを選択</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>しきい値 tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>当てはめの &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>保存中...</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;ブラインド&lt;/b&gt;：提出すると JaC が見えます</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>変更なし</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -7284,9 +6779,67 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>まだ何も開いていません</translation>
   </message>
   <message>
-   <source>unexpected error ({what})</source>
-   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>予期しないエラー ({what})</translation>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>スコア</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>当てはめ</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>検査</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py, the action plots]</extracomment>
+   <translation>グラフ</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>レビュー</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>一致度</translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>注釈</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>評価</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>レビュー</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>画像の下にグラフを開く</translation>
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>グラフを閉じる</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>作業画面</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -8580,16 +8133,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>このフレームの保存済みの版をすべて見て、どれかを戻します</translation>
   </message>
   <message>
-   <source>Overview of the set…</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>セットの概要…</translation>
-  </message>
-  <message>
-   <source>Counts per status and class, progress, time per frame</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>状態とクラスごとの数、進み具合、1 フレームあたりの時間</translation>
-  </message>
-  <message>
    <source>Group views…</source>
    <extracomment>[the action group_views]</extracomment>
    <translation>ビューをまとめる…</translation>
@@ -9033,6 +8576,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>色はカメラの評価を表します</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
+   <translation>クラス</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>

@@ -764,7 +764,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
    <translation>已撤回</translation>
   </message>
   <message>
@@ -819,7 +819,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>帧</translation>
   </message>
   <message>
@@ -829,12 +829,12 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
    <translation>视图</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/command_palette.py, the menus]</extracomment>
    <translation>相机</translation>
   </message>
   <message>
@@ -843,9 +843,2450 @@
    <translation>帮助</translation>
   </message>
   <message>
-   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
-   <extracomment>[procc_annotator/gui/decimal_box.py]</extracomment>
-   <translation>不接受 {number:g}：{least:g} 到 {most:g}{unit}</translation>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/canvas/annotation_preview.py]</extracomment>
+   <translation>图片无法显示</translation>
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>此处没有可拖动的相机</translation>
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>已撤回：相机恢复到拖动之前</translation>
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>盲标模式：不显示相机</translation>
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>叠加层已隐藏（Ctrl+H）</translation>
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>单应矩阵无法转动：请选择其他模型（“拟合”面板）</translation>
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>松开即留在此处</translation>
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Esc 放回原处</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个固定桩约束相机</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>相机</translation>
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>
+    <numerusform>已移除固定桩：剩余 {n} 个</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>已移除固定桩：相机恢复为求得的状态</translation>
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>固定桩</translation>
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>按住线框上的一条线</translation>
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>拖动可移动此固定桩</translation>
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>点击可移除</translation>
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>将线框上的一处拖到其应在的位置</translation>
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>将 {title} 拖到其应在的位置：相机随之移动</translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
+   <translation>Ctrl+Z 撤回</translation>
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>平移</translation>
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>拖动可移动图片</translation>
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>点击和回车不起作用</translation>
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>Esc 换回工具</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>图片</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
+   <translation>加载第二组相机以在两者间切换查看（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>十字光标：方向键移动（Shift 0.1 px，Ctrl 10 px，Ctrl+Shift 100 px），空格点击，Esc 收起</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>请先指向一条线：用鼠标或方向键</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas_keys.py]</extracomment>
+   <translation>此处没有可放置点的线</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>相机无法读取</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/canvas/comparison.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>此处无相机</translation>
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>亮度</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>对比度</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>伽马</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>线条增强</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>突出磨损和阴影中的线</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>重置</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>按原样显示图片</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>只改变您所看到的，绝不改变文件</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>整体平移数值</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>围绕中灰拉伸数值</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
+   <translation>向右则暗处变亮</translation>
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <translation>下一个：{title}</translation>
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
+   <translation>{title}  ±{sd:.1f} px  存疑</translation>
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{title} 在本帧没有点：请选择要删除的元素</translation>
+  </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>已保留 {frame} 上 {title} 的 1 次点击（未确认）：在该帧选择该元素即可继续</translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>已在 {frame} 上以 {n} 个点完成 {title}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>请先选择要删除的元素：场地图、列表或其按键</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>已丢弃 {title} 的 {n} 个点</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>
+    <numerusform>已以 {n} 个点完成 {title}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation>{titles}：已在别处更改，请先再看一遍</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>拟合相机有多好</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>地面上的米数，1 σ</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>拟合相机（{model}）有多好</translation>
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m，越位技术的要求</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>地面上的米数，1 σ，中位数 {median:.2f}</translation>
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>地面上的米数</translation>
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/canvas/metre_maps.py]</extracomment>
+   <translation>{metres:g} m：可见场地的 {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>盲标：按 Ctrl+回车之前不显示相机</translation>
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>盲标模式，本帧已提交</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个固定桩</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>已拖动相机，{pegs}，已按画线精化：其线的 {share:.0%}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>已拖动相机，{pegs}，未精化：{why}</translation>
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>拖动以移动分隔线（方向键亦可）</translation>
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>分割视图的分隔线</translation>
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>找到相机，存疑：{why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>已拖动相机，{pegs}</translation>
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>跟踪所得的相机：Shift+回车接受其元素</translation>
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>正在图片中寻找相机 …</translation>
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>未找到相机：{why}</translation>
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>找到相机，确定：{why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>已拖动相机，{pegs}：正在寻找其线 …</translation>
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>跟踪所得的相机，存疑：{why}</translation>
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>没有变化：已经规整，或该处未找到画线</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已从 {frame} 复制 {what}，沿跟踪结果；Shift+V 全部确认</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已从 {frame} 复制 {what}，随相机移动；Shift+V 全部确认</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已从 {frame} 原样复制 {what}：未找到运动；Shift+V 全部确认</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已撤回：不规整任何内容</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已撤回：不复制任何内容</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已离开该帧：未规整任何内容</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>已离开该帧：未复制任何内容</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个点未得到画线证实</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>规整 {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>从 {frame} 复制</translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>请先选择已标注的元素</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>已规整 {what}：{n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{element} 有拐角或只是单个位置：保持不变</translation>
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>此处没有标注场地的元素</translation>
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>本帧之前没有已标注的帧</translation>
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <translation>{frame} 没有此处缺少的元素</translation>
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} 变为 {other}</translation>
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>互换 {element} 和 {other}</translation>
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>将 {element} 复制为 {other}</translation>
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>将 {element} 并入 {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>闭合间隙</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>确认 {n} 个元素</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>丢弃 {n} 个未确认的元素</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>线的名称</translation>
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>这是哪条线？</translation>
+  </message>
+  <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} 是曲线，两个点无法表示：请继续点击</translation>
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} 的对称类别就是它自己</translation>
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{elements} 已标注</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} 位于 {other} 处：请将其拖到位</translation>
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>反转 {element}</translation>
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>请先选择分割处的点（编辑模式）</translation>
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>分割 {element}</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>已确认 {n} 个元素</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>本帧没有未确认的内容</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} 已经标注</translation>
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>没有端点那么靠近角点或图片边缘</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>已丢弃 {n} 个未确认的元素</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>不命名</translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>元素须在两端之间的点处分割，分成一个空闲的类别</translation>
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <translation>{element} 已在别处更改：请再看一遍</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{accepted}：{points}，{share:.0%} 的线可见</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{elements} 有 {n} 个端点不可见：点在此之前结束</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>相机此时已不同</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>接受 {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个虚影</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{total} 个虚影中的 {n} 个</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>已接受 {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>有 {n} 个端点不可见：点在此之前结束</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>该帧此时已被编辑</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>在 {frame} 上寻找线用时过长</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>未接受 {element}：{why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>接受所有虚影</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>虚影的线要有多少可见，才能与其他所有一并接受（%）：</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>{element}：沿线未找到画线；请手动点击，或标明此处不可见（.）</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>正在拟合相机：请稍后接受其虚影</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>已在 {frame} 上接受 {what}</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影：没有图片可寻找其线</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影：{why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>未接受 {element}</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>虚影已接受：请接受新拟合的虚影</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>正在绘制的内容已完成：请接受新拟合的虚影</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
+   <translation>找到其点后即接受 {element}</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>请先转到虚影（Tab）或选择元素</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>那是第一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>在此图片中未找到相机：请绘制三四个元素，或跟踪镜头（T）</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>那是最后一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>请先打开图片文件夹</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>正在拟合相机：虚影马上就来</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：正在图片中寻找相机</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：{why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：其余可见内容已标注，或还不够确定</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：标注三四个元素即可得出相机</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>在此图片中未找到相机：请绘制三四个元素</translation>
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>盲标模式下没有虚影，直到提交本帧（Ctrl+回车）</translation>
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：实时拟合已关闭（Ctrl+T）</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：已关闭（元素 &gt; 虚影 &gt; 显示虚影）</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>叠加层已隐藏：看不到虚影（Ctrl+H，或松开 X）</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>请先完成正在绘制的内容（回车），或取消（Esc）</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>没有虚影：无法拟合相机</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>尚无合适的相机</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>正在手动绘制</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} 在此已标注：请先删除（Ctrl+Delete）</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} 在此不可见；Ctrl+. 撤回</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{title} 在此可能又可见</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>本帧没有被标为不可见的元素</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>那是最后一个虚影</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>请先转到虚影（Tab）</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <translation>{off}；请先选择元素</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>保留场地，不再提及这些类别</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>数据集会记住，不再询问</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>否，{field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>此数据集的场地</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>场地描述 (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>这是{field}吗？此处标注的类别属于{field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{why}，但以数据集文件夹中的 {file} 为准</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>是，{field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>切换到{field}</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
+   <translation>{problem}；场地保持不变：{field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>这样得分会不同于官方评测所用的标称场地（{nominal}）；得分会注明计算所用的尺寸。</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>各自的尺寸（stadiums.csv）：{stadiums}的{frames}。此处输入的值用于其他所有帧，以及体育场未指定的部分。</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>这样得分会不同于按规则测量处取线的官方评测；得分会注明。</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>规则中许多线以画线的边缘为准。而点击在画线中间，相差半个线宽：在重要之处请选择它，如室内场馆和靠近相机时。</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>由帧只能求出长和宽，而规则已固定此场地的长和宽</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m，由 {n} 帧得出。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>按规则测量处</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>画线的中间</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>由 {n} 帧的相机得出；± 为一个标准差。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>{remark}；保持不变。</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>场地尺寸：{field}</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>由此数据集估计</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>为此数据集保留</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>标称</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>官方评测所用的场地</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>标称 {nominal:g} m，规则允许 {minimum:g} 至 {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;不可为 {number:g} m：规则允许 {minimum:g} 至 {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} 帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个体育场</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>盲标：未提交的帧没有参与（{n}）。</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>无法读取的帧没有参与：{n}。</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>点击位于：</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>停止</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>规则固定了场地{field}的所有尺寸</translation>
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
+   <translation>盲标：提交数据集的一帧后才会查看（Ctrl+回车）。</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>不同相机拍摄同一瞬间的帧为一组。由名称按模式判断：&lt;b&gt;{instant}&lt;/b&gt; 表示帧的拍摄时刻，&lt;b&gt;{view}&lt;/b&gt; 表示相机，其余字符表示其本身。也可用含 &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; 和 &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; 的正则表达式。</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>未找到符合这些名称的模式：请写一个。</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>其现有内容及所写的其他一切都会丢失。</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>瞬间</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}分为 {n:,} 组，每组 {least} 至 {most} 帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个瞬间的{frames}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧，均未分组。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}分为 {n:,} 组</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>帧的分组</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} 已存在：{sizes}。</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>{file} 从现在起将{sizes}分组</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个瞬间只有一帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个名称不符合（在表格末尾）</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>此名称不符合模式：该帧单独存在</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>视图分组</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>帧名的模式</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>写出 {file}</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
+   <translation>将这些分组保存在数据集的文件夹中</translation>
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>?（保持不变，未知类别）</translation>
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>排除</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>标签</translation>
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>形状</translation>
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>代表</translation>
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>原因</translation>
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>确定</translation>
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>可能</translation>
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>待指定</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个标签不是{field}的类别。请指明其含义；建议由其用词和形状所在的元素得出。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>这些名称更像{field}的名称：请先选择该场地（文件 &gt; 场地）。</translation>
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>其他程序的名称</translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>将这些名称保存在数据集中（{file}）</translation>
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>导入</translation>
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>{label} 代表什么</translation>
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>结果如何</translation>
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>导入标注</translation>
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>要导入的标注</translation>
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>查看文件内容</translation>
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>仅限尚未标注的帧</translation>
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>也替换其他帧中的标注</translation>
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>原有内容保留在该帧的早期版本中，撤销可恢复</translation>
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>标注</translation>
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>格式</translation>
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>导入到</translation>
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>按图片名称匹配帧。</translation>
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>标注 (*.json *.xml *.zip);;所有文件 (*)</translation>
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>导出为</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>导出…</translation>
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>一个 zip 压缩包而非文件夹</translation>
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>替换已有文件</translation>
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>保留 SoccerNet 没有类别的元素</translation>
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>线宽</translation>
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>同时复制图片</translation>
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>导出到文件夹</translation>
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>保留{holds}。
+丢失{loses}。</translation>
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>将这些名称加入数据集的 {file}（重新写出）</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <translation>取消</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>关闭</translation>
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>文件夹、zip 压缩包或单个文件</translation>
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>文件…</translation>
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>文件夹…</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <translation>Zip 压缩包 (*.zip)</translation>
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>已将{frames}、{elements}和{points}写入 {path}（{format}）。</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个标注</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧的 JaC</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>未能全部保存：以磁盘上的内容为准。</translation>
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame} 的拟合已保存为 {path}</translation>
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>没有可保存的相机：拟合尚未就绪</translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{source} 由将用于评分的点击得出：请评判要评分的相机（procc-annotator calibrate 可拟合并评分数据集）</translation>
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{annotations}和{scores}</translation>
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>无：没有已标注的帧</translation>
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>导出：已取消；已写出的文件仍在</translation>
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>未写出任何内容：没有已标注的帧，或均无法写出。</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个元素</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>实时拟合已关闭（Ctrl+T）</translation>
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>盲标：提交本帧之前隐藏拟合（Ctrl+回车）</translation>
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>没有可保存的相机：{why}</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>Zip 压缩包 (*.zip);;文件夹 (*)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>表格 (*.csv);;JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>导出总览</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>已将 {n:,} 帧导出到 {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>数据集仍在评分：部分帧尚无 JaC</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>请先加载相机：没有可评分的内容</translation>
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>盲标：尚未提交任何帧，因此没有可显示的 JaC</translation>
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>已将{what}导出到 {path}</translation>
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>已取消；已写出的文件仍在。</translation>
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>未写出</translation>
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>该格式无法容纳的内容</translation>
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>正在重新计算拟合：请稍后保存</translation>
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{frame}：图片无法读取，因此相机的像素没有对应的尺寸；未保存</translation>
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>已保存为 {path}，但已加载的相机无法重新读取：{problem}</translation>
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>{saved}；它难以确定：{why}</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>未能全部保存：导出的是最近保存的状态</translation>
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>盲标模式排除 {n:,} 个尚未提交的帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个文件无法读取：{problem}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>表格 (*.csv)</translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>导出</translation>
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <translation>正在导出 {done} / {total}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧中已导入 {edited} 帧（{format}）。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>已取消：{n:,} 帧未查看。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧已有标注，保持不变。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧已含相同内容。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>导入</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧中已导入 {edited} 帧</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>已取消；未导入任何内容。</translation>
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>保持原样</translation>
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>无法读取</translation>
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>此处没有图片（{n}）</translation>
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>已更改或排除</translation>
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <translation>无法保存：{why}</translation>
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>图片</translation>
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>视频</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>之前在此打开的相机已不存在：{paths}</translation>
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>示例随源代码提供，此处没有</translation>
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>您自己的副本，位于 {folder}；可从“相机”菜单加载其相机</translation>
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>加载相机文件夹</translation>
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>加载相机</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>相机</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>之前在此打开的相机未再次打开：{why}</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>打开图片文件夹</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>打开图片</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>打开视频</translation>
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
+   <translation>打开第二位标注者的文件夹</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px，不含图例</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px，过大：请选择更小的比例或 SVG</translation>
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>PNG：像素，无损</translation>
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>JPEG：像素，体积小</translation>
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>SVG：线条和文字始终清晰</translation>
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>图片 (*{suffix})</translation>
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>保存叠加图片</translation>
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>结果 px 与图片 px 之比；线条和文字随之增大</translation>
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>在图片下方说明颜色、线型和标记</translation>
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>类型(&amp;K)</translation>
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>比例(&amp;S)</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>结果</translation>
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>图例(&amp;L)</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>正在写出叠加图片 {path} …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>请先打开图片</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>{path}：就是图片本身，请另选名称</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
+   <translation>叠加图片已写入 {path}</translation>
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>取帧间隔</translation>
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>每个场景的第一帧</translation>
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>在整个视频中寻找剪切点；需要一些时间</translation>
+  </message>
+  <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>场地</translation>
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>正在读取 {file}</translation>
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>正在 {file} 中寻找剪切点</translation>
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>本帧已是图片</translation>
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>已保留为 {path}</translation>
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
+   <translation>不会导出任何内容；“保留此视频帧”可写出图片。</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>第 {place} / {total}，最差在前：JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>第 {place} / {total}，最差在前：最大误差 {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>第 {place} / {total}，最差在前：分歧中位数 {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>尚无 JaC：请先加载相机</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>没有其他被退回的帧</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{frame} 为“{status}”</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>没有可前往的已评分帧</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>正在数据集上比较 {source} 与 {other}</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>本帧之后的所有帧均已完成或批准</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>本帧之前的所有帧均已完成或批准</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>需要两个源才能看出分歧：请加载更多相机（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} 和 {other} 在任何帧中都无法在地面上比较</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>已停止比较各源</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>这是最差的；再按一次继续</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>没有其他已评分的帧</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>重新从最差的开始</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>没有可前往的已评分帧：盲标模式只显示已提交的帧</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>已有两个源正在比较</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
+   <translation>{source} 和 {other} 已比较</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>错误</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>警告</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>提示</translation>
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>检查结果 {place} / {total}，{severity}：{elements}</translation>
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>没有达到“检查”面板所设确定程度的结果</translation>
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>已更改 {n} 个元素的类别</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>已检查 {n:,} 帧，相机模型 {model}：{found}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个已检查的帧</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{element} 和 {other}</translation>
+  </message>
+  <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>类别检查仍在检查本帧</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>类别检查未发现问题；检查整个数据集以查看所有帧</translation>
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>{done}；Ctrl+Z 撤回</translation>
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>已移除 {element} 的第 {n} 点</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>已互换 {element} 和 {other}</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>已将 {element} 改为 {other}</translation>
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>在 {elements} 更改之前忽略；可从“检查”面板恢复</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧无法检查</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>导出检查结果</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>已将{frames}的 {n:,} 项检查结果导出到 {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>类别检查未发现问题</translation>
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>元素此后已更改：已重新检查</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>已移除 {element} 的点</translation>
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>请先转到一项检查结果（F10）</translation>
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>已停止检查数据集；已发现的结果保留</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>类别检查在本帧未发现问题</translation>
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>未发现问题</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <translation>没有已知的修复：{reason}</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解锁会向所有标注者显示相机、虚影和拟合。数据集会记录 {author} 解锁及其时间。</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解锁会向您显示相机、虚影和拟合；对其他人并未锁定。数据集会记录 {author} 解锁及其时间。</translation>
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>盲标模式排除未提交帧的 {n} 项</translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解除盲标模式</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>解锁并记录</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>保持锁定</translation>
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{frame}：不再有对 {source} 的判定</translation>
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>判定备注</translation>
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>这里有什么问题：</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>导出判定</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>盲标：没有已提交的帧有判定</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>尚无帧有判定：请先标记一个</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>
+    <numerusform>已将 {n:,} 项判定导出到 {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>判定针对帧和相机：请先加载相机</translation>
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>盲标：提交本帧之前隐藏相机（Ctrl+回车）</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>请先标记本帧：相机错误、标注错误或无误</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>未能全部保存：数字为最近保存的状态</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} 随点击而变：判定针对加载的相机</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <translation>{source} 在此计算得出：判定针对加载的相机</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>本帧没有早期版本。</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>与现在相比：{changes}。不同之处：{elements}。</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>无法读取</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>空</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>与现在相同</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>元素不同</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>点有移动</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>这是本帧现在的内容。</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>与现在相比：点相同，元素顺序不同。</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>恢复早期版本</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>早期版本</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>恢复</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>%Y-%m-%d %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>另外 {n} 个</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>已恢复早期版本；撤销可再次取消</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>较早的版本已恢复；无法读取的内容保留为一个版本</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <translation>该帧已在别处更改：请查看后再恢复</translation>
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>此时已标注</translation>
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>此后已编辑</translation>
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>没有可接受的帧：请先跟踪镜头（T）；存疑的帧和已标注的帧除外</translation>
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>盲标模式：未点击的内容一律不接受</translation>
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>正在沿跟踪寻找画线：{done} / {total} 帧</translation>
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>已沿跟踪接受 {n:,} 帧</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>Ctrl+Z 撤回</translation>
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>已撤回：{n:,} 个沿跟踪接受的帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>保留 {n:,} 帧：{why}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>正在沿跟踪寻找画线</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>未接受任何帧：{why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>接受跟踪</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>撤回跟踪</translation>
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>没有可撤回的已接受内容</translation>
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>已撤回：不接受任何帧</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <translation>未接受任何帧：可见的线太少</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>已跟踪 {n:,} 帧，其中 {doubtful:,} 帧存疑（Alt+PgDown）；Ctrl+Shift+回车接受确定的帧</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>正在跟踪：{done} / {total} 帧  ·  T 停止</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>已跟踪 {n:,} 帧，全部确定；Ctrl+Shift+回车接受确定的帧</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>正在寻找镜头的两端 …  T 停止</translation>
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>无法跟踪镜头：{why}</translation>
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>只有视频或连续的帧才能跟踪</translation>
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>盲标模式：不跟踪镜头，否则会看到其相机</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>镜头中没有确定相机的帧：请标注一帧后再跟踪</translation>
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>已停止；目前的跟踪结果保留</translation>
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <translation>已停止；未跟踪任何内容</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>本帧之后没有已标注的帧</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>本帧之后没有存疑的帧</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>本帧之前没有存疑的帧</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>盲标模式：隐藏跟踪的好坏</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>尚未跟踪任何镜头（T）</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <translation>这些帧并不连续</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -875,281 +3316,6 @@
    <translation>无</translation>
   </message>
   <message>
-   <source>Wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>滚轮</translation>
-  </message>
-  <message>
-   <source>zoom at the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>在光标处缩放</translation>
-  </message>
-  <message>
-   <source>Two fingers</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>双指</translation>
-  </message>
-  <message>
-   <source>pan; pinched, zoom</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>平移；捏合则缩放</translation>
-  </message>
-  <message>
-   <source>Shift + wheel</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Shift + 滚轮</translation>
-  </message>
-  <message>
-   <source>pan sideways, as a tilted wheel does</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>横向平移，如同倾斜滚轮</translation>
-  </message>
-  <message>
-   <source>Space + drag</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>空格 + 拖动</translation>
-  </message>
-  <message>
-   <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>平移</translation>
-  </message>
-  <message>
-   <source>Middle button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>中键</translation>
-  </message>
-  <message>
-   <source>Hold X</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>按住 X</translation>
-  </message>
-  <message>
-   <source>hide all overlays</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>隐藏所有叠加层</translation>
-  </message>
-  <message>
-   <source>Hold Z</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>按住 Z</translation>
-  </message>
-  <message>
-   <source>loupe: eight times the picture's pixels</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>放大镜：图片像素的八倍</translation>
-  </message>
-  <message>
-   <source>Hold ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>按住 ,</translation>
-  </message>
-  <message>
-   <source>look at the compared camera source</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>查看对比的相机源</translation>
-  </message>
-  <message>
-   <source>Tap ,</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>轻按 ,</translation>
-  </message>
-  <message>
-   <source>judge with the compared source, compare with this one</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>用对比源评判，与当前源比较</translation>
-  </message>
-  <message>
-   <source>Hold Ctrl</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>按住 Ctrl</translation>
-  </message>
-  <message>
-   <source>click beside the line: no snapping</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>点在线旁：不吸附</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + 拖动线</translation>
-  </message>
-  <message>
-   <source>camera: it follows, the place stays as a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>相机：随之移动，该处成为固定桩</translation>
-  </message>
-  <message>
-   <source>Ctrl+Alt + click a peg</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Ctrl+Alt + 点击固定桩</translation>
-  </message>
-  <message>
-   <source>camera: take the peg away</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>相机：移除固定桩</translation>
-  </message>
-  <message>
-   <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>方向键</translation>
-  </message>
-  <message>
-   <source>crosshair: the keys point; chosen points are moved instead</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>十字光标：用键指点；若有选中的点则移动它们</translation>
-  </message>
-  <message>
-   <source>Space at the crosshair</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>十字光标处按空格</translation>
-  </message>
-  <message>
-   <source>what a click does there (with Ctrl: no snapping)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>等同在该处点击（加 Ctrl：不吸附）</translation>
-  </message>
-  <message>
-   <source>Right button</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>右键</translation>
-  </message>
-  <message>
-   <source>menu of what is under the cursor</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>光标下内容的菜单</translation>
-  </message>
-  <message>
-   <source>Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>回车</translation>
-  </message>
-  <message>
-   <source>accept the current ghost</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>接受当前虚影</translation>
-  </message>
-  <message>
-   <source>Shift+Enter</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Shift+回车</translation>
-  </message>
-  <message>
-   <source>accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>接受所有虚影</translation>
-  </message>
-  <message>
-   <source>Click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>点击</translation>
-  </message>
-  <message>
-   <source>draw: add a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>绘制：添加点</translation>
-  </message>
-  <message>
-   <source>Double-click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>双击</translation>
-  </message>
-  <message>
-   <source>draw: finish</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>绘制：完成</translation>
-  </message>
-  <message>
-   <source>Drag a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>拖动点</translation>
-  </message>
-  <message>
-   <source>edit: move it</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>编辑：移动它</translation>
-  </message>
-  <message>
-   <source>Shift+click a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Shift+点击点</translation>
-  </message>
-  <message>
-   <source>edit: choose several</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>编辑：选择多个</translation>
-  </message>
-  <message>
-   <source>Drag on empty ground</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>在空白处拖动</translation>
-  </message>
-  <message>
-   <source>edit: choose the points inside</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>编辑：选择其中的点</translation>
-  </message>
-  <message>
-   <source>Drag a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>拖动线</translation>
-  </message>
-  <message>
-   <source>edit: move the element, unless elements are pinned</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>编辑：移动元素，除非元素已固定</translation>
-  </message>
-  <message>
-   <source>Alt+click a line</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+点击线</translation>
-  </message>
-  <message>
-   <source>edit: insert a point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>编辑：插入点</translation>
-  </message>
-  <message>
-   <source>Alt+Shift+click</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>Alt+Shift+点击</translation>
-  </message>
-  <message>
-   <source>edit: remove the point</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>编辑：移除该点</translation>
-  </message>
-  <message>
-   <source>Click or drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>在帧条上点击或拖动</translation>
-  </message>
-  <message>
-   <source>go to a frame</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>前往某帧</translation>
-  </message>
-  <message>
-   <source>Wheel on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>帧条上滚轮</translation>
-  </message>
-  <message>
-   <source>zoom; with Shift, scroll</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>缩放；加 Shift 则滚动</translation>
-  </message>
-  <message>
-   <source>Shift+drag on the strip</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>帧条上 Shift+拖动</translation>
-  </message>
-  <message>
-   <source>mark a stretch (a double click lets go of it)</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>标记区段（双击取消）</translation>
-  </message>
-  <message>
    <source>what is held down in the picture</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>在图片中按住的键</translation>
@@ -1173,6 +3339,281 @@
    <source>Like labelme</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>类似 labelme</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>滚轮</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>在光标处缩放</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>双指</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>平移；捏合则缩放</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Shift + 滚轮</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>横向平移，如同倾斜滚轮</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>空格 + 拖动</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>平移</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>中键</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>按住 X</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>隐藏所有叠加层</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>按住 Z</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>放大镜：图片像素的八倍</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>按住 ,</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>查看对比的相机源</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>轻按 ,</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>用对比源评判，与当前源比较</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>按住 Ctrl</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>点在线旁：不吸附</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + 拖动线</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>相机：随之移动，该处成为固定桩</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Ctrl+Alt + 点击固定桩</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>相机：移除固定桩</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>方向键</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>十字光标：用键指点；若有选中的点则移动它们</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>十字光标处按空格</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>等同在该处点击（加 Ctrl：不吸附）</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>右键</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>光标下内容的菜单</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>回车</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>接受当前虚影</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Shift+回车</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>接受所有虚影</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>点击</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>绘制：添加点</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>双击</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>绘制：完成</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>拖动点</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>编辑：移动它</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Shift+点击点</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>编辑：选择多个</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>在空白处拖动</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>编辑：选择其中的点</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>拖动线</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>编辑：移动元素，除非元素已固定</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+点击线</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>编辑：插入点</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Alt+Shift+点击</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>编辑：移除该点</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>在帧条上点击或拖动</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>前往某帧</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>帧条上滚轮</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>缩放；加 Shift 则滚动</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>帧条上 Shift+拖动</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>标记区段（双击取消）</translation>
   </message>
   <message>
    <source>expected an object with "actions" and "elements"</source>
@@ -1221,7 +3662,7 @@
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{text}。</translation>
   </message>
   <message>
@@ -1359,12 +3800,12 @@
   </message>
   <message>
    <source>Median</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>中位数</translation>
   </message>
   <message>
    <source>Points</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>点</translation>
   </message>
   <message>
@@ -1374,7 +3815,7 @@
   </message>
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>已隐藏：盲标模式在提交本帧后显示得分。</translation>
   </message>
   <message>
@@ -1429,395 +3870,449 @@
    </translation>
   </message>
   <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>要对比的源</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>与当前源对照：逗号、分割视图、分歧</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>对比</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>{share:.0f} % 在 {far:g} m 以内，占图片的 {covered:.0f} %</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>最小</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>中位数</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>一个像素所指的两个地面点之间的距离</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>从一个像素到对比相机显示其地面点之处</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>地面上，m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>图片中，px</translation>
-  </message>
-  <message>
    <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
    <translation>soccernet（官方）</translation>
   </message>
   <message>
    <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>procc（论文）</translation>
   </message>
   <message>
    <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>计为未命中</translation>
   </message>
   <message>
    <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>排除在外</translation>
   </message>
   <message>
    <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>相机 ({endings});;所有文件 (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>要对比的源</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>与当前源对照：逗号、分割视图、分歧</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>对比</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>{share:.0f} % 在 {far:g} m 以内，占图片的 {covered:.0f} %</translation>
   </message>
   <message>
    <source>No cameras loaded.
 Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>未加载相机。
 加载 SoccerNet 相机文件或单应矩阵的文件夹，即可用您的点击评判它们。</translation>
   </message>
   <message>
    <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>加载文件夹…</translation>
   </message>
   <message>
    <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>每帧一个相机文件的文件夹</translation>
   </message>
   <message>
    <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>加载文件…</translation>
   </message>
   <message>
    <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>相机的 zip 压缩包，或单帧的相机</translation>
   </message>
   <message>
    <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>接下来加载的文件如何读取</translation>
   </message>
   <message>
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>soccernet：官方评测及其怪癖
 procc：论文的定义，闭合的圆和精细的曲线</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>单应矩阵只知道地面：门柱和横梁对它如何计入</translation>
   </message>
   <message>
    <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>读取方式</translation>
   </message>
   <message>
    <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
    <translation>协议</translation>
   </message>
   <message>
    <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>离地</translation>
   </message>
   <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>加载相机文件夹</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>加载相机</translation>
-  </message>
-  <message>
    <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>本帧：{notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>⚠ 本帧的相机无法使用：{error}</translation>
   </message>
   <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>最小</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>中位数</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>最大</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>一个像素所指的两个地面点之间的距离</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>从一个像素到对比相机显示其地面点之处</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>地面上，m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
+   <translation>图片中，px</translation>
+  </message>
+  <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
    <translation>盲标：提交本帧之前隐藏投影。</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>本数据集中有相机的帧（完整度）</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>本窗口中访问过且点击得出相机的帧；其 JaC 针对用于拟合的点击。
 procc-annotator calibrate 可拟合并评分整个数据集</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>本数据集中随镜头跟踪并有相机的帧。
 procc-annotator track 可跟踪整个视频并写出其相机</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧</numerusform>
-   </translation>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>黄色</translation>
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>紫色</translation>
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>蓝色</translation>
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>薄荷色</translation>
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>藏青色</translation>
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>青色</translation>
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>关闭实时拟合（Ctrl+T 再次打开）</translation>
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>从列表移除；文件保留</translation>
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>忘记跟踪结果（T 重新跟踪镜头）</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{frames}在 {tau:.1f} px 下的平均 JaC</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>无法读取（筛选 camera:unreadable）：{names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{matched} / {total}，{n} 个无法读取</numerusform>
    </translation>
   </message>
   <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>源的名称</translation>
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>评判其他源时以线框绘制</translation>
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>评判 {name}</translation>
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>移除 {name}</translation>
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>绘制 {name}</translation>
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>{name} 的颜色</translation>
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>其他…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>源的颜色</translation>
+  </message>
+  <message>
    <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>无相机</translation>
   </message>
   <message>
    <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>不评判，不绘制相机</translation>
   </message>
   <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>目前 {frames}</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{mean}；{n:,} 个相机无法读取，不参与计算</numerusform>
    </translation>
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{model}（地面）</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>此处为 {model}，多种模型</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>已跟踪 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>已拟合 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>{n} / {total}（{share}）</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{names} 以及另外 {n:,} 个</numerusform>
    </translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>此处无法使用：{error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>本帧无相机</translation>
   </message>
   <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <translation>双击或 F2 更改名称</translation>
+  </message>
+  <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>盲标模式隐藏各源的表现</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>没有任何一帧既有标注元素又有此源的相机</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个相机</numerusform>
    </translation>
   </message>
   <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
    <translation>多种模型</translation>
   </message>
   <message>
-   <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>黄色</translation>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py, procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>已标注</translation>
   </message>
   <message>
-   <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>紫色</translation>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>未确认</translation>
   </message>
   <message>
-   <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>蓝色</translation>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>不可见</translation>
   </message>
   <message>
-   <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>薄荷色</translation>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>下一个</translation>
   </message>
   <message>
-   <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>藏青色</translation>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>本帧中未标注</translation>
   </message>
   <message>
-   <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>青色</translation>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>已标注但未评判：没有显示相机，或其不参与评测</translation>
   </message>
   <message>
-   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>关闭实时拟合（Ctrl+T 再次打开）</translation>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>复制所得；改动或确认之前不计入</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>从列表移除；文件保留</translation>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>通过：所有点到投影的距离都小于 tau</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>忘记跟踪结果（T 重新跟踪镜头）</translation>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>过远：至少一个点的距离达到或超过 tau（假阳性）</translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>源的名称</translation>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>相机投影了它，但未标注（假阳性）</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>评判其他源时以线框绘制</translation>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>已标注，但相机未投影（假阴性）</translation>
   </message>
   <message>
-   <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>评判 {name}</translation>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>有人标明它在本帧不可见</translation>
   </message>
   <message>
-   <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>移除 {name}</translation>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>接下来应标注，如场地图和图片所示</translation>
   </message>
   <message>
-   <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>绘制 {name}</translation>
-  </message>
-  <message>
-   <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>{name} 的颜色</translation>
-  </message>
-  <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>其他…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>源的颜色</translation>
-  </message>
-  <message>
-   <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>双击或 F2 更改名称</translation>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
+   <translation>{title}（未知类别）</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
    <translation>无几何</translation>
   </message>
   <message>
@@ -1832,7 +4327,7 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
   </message>
   <message>
    <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>元素</translation>
   </message>
   <message>
@@ -1867,136 +4362,57 @@ Esc clears the search.</source>
   </message>
   <message>
    <source>Status</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>状态</translation>
   </message>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>接下来标注它最有用：投影的精度将从 {before:.1f} px 提高到 {after:.1f} px</translation>
   </message>
   <message>
    <source>Field map</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>场地图</translation>
   </message>
   <message>
    <source>The arrows choose elements</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>方向键选择元素</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>下一个：{title}，{before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
-   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>点击元素以选择其类别</translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>检查结果</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>列出哪些检查结果</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>检查整个数据集</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
-   <translation>在所有已标注的帧中查找错误类别</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>已检查的帧</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>停止</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>导出…</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>将所有已检查帧的检查结果写为 CSV</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>另有 {n:,} 项未列出：请打开上方的标志。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
-   <translation>在其元素的点改变之前不再显示</translation>
-  </message>
-  <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>本帧</translation>
-  </message>
-  <message>
-   <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>整个数据集</translation>
-  </message>
-  <message>
-   <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>{findings}；点击以列出或隐藏</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>
-    <numerusform>此处已忽略 {n:,} 项。&lt;a href="restore"&gt;重新显示&lt;/a&gt;</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>忽略此检查结果</translation>
-  </message>
-  <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>错误</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>警告</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
    <translation>提示</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>本帧未发现问题。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧中未发现问题。</numerusform>
    </translation>
@@ -2004,91 +4420,380 @@ Esc clears the search.</source>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>没有帧。
 打开图片文件夹以检查其类别。</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>本帧没有任何标注。</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>无需相机的规则未发现问题。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>除 {n:,} 项已忽略的结果外未发现问题。</numerusform>
    </translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>盲标：需要相机的检查等到提交本帧后进行（Ctrl+回车）。</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>实时拟合已关闭：只检查无需相机的规则。</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>尚无合适的相机（{why}）：只检查无需相机的规则。</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>盲标：只对已提交的帧用相机检查。</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧无法检查，如 {name}：{why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>数据集尚未检查；目前已查看 {n:,} 帧。</numerusform>
    </translation>
   </message>
   <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>正在检查本帧…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>正在检查数据集…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个错误</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个警告</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个提示</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>检查结果</translation>
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>列出哪些检查结果</translation>
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>检查整个数据集</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <translation>在所有已标注的帧中查找错误类别</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>已检查的帧</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>将所有已检查帧的检查结果写为 CSV</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>另有 {n:,} 项未列出：请打开上方的标志。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <translation>在其元素的点改变之前不再显示</translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>本帧</translation>
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>整个数据集</translation>
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>{findings}；点击以列出或隐藏</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <translation>
+    <numerusform>此处已忽略 {n:,} 项。&lt;a href="restore"&gt;重新显示&lt;/a&gt;</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <translation>忽略此检查结果</translation>
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>平均</translation>
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>最大</translation>
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>最差的在前；点击显示最差的点</translation>
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>其点到拟合元素的平均距离，以图片 px 计</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>其点到拟合元素的最大距离，以图片 px 计</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>自动选择</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>H：地面的单应矩阵</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>P：针孔</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R：针孔，镜头畸变</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R+：R，像素宽高比，主点</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>R2：R+，第二径向系数</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>F：鱼眼</translation>
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{model}。选择依据：{why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个标注元素中有 {passing} 个在 {px:g} px 以内</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>
+    <numerusform>{counted}；另有 {n} 个可见但尚未标注</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ 已排除：{title}</translation>
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>{title}：平均 {mean} px，最大 {largest} px</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>水平转动</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>俯仰</translation>
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>横滚</translation>
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>焦距</translation>
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>纵向 (x)</translation>
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>横向 (y)</translation>
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>高度 (−z)</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>可见但未标注的元素会拉低 JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>难以确定：{limits}</translation>
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>拟合什么。自动：点击所能支持的最简模型</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>模型</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>参与拟合的点的平均距离，以图片 px 计</translation>
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>各元素的残差</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>保存为本帧的相机</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>打开图片文件夹以查看点击得出的相机。</translation>
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>实时拟合已关闭（Ctrl+T）。</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>已隐藏：盲标模式在提交本帧后显示拟合。</translation>
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>尚无相机：{why}。</translation>
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>正在拟合点击…</translation>
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>没有拟合。</translation>
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{tau:.1f} px 下的 JaC</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>&lt;b&gt;难以确定&lt;/b&gt;：{what}</translation>
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>JaC：{terms}；残差：图片 px，{width}x{height}</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>由拟合估计的标准差</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>视为错误：未参与拟合</translation>
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>平均残差</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -2097,12 +4802,15 @@ Open a folder of pictures to check their labels.</source>
     <numerusform>{n} 个未处理</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个元素</numerusform>
-   </translation>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>{shown:,} / {frames}</translation>
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>全部完成</translation>
   </message>
   <message>
    <source>⚠ unreadable</source>
@@ -2120,26 +4828,45 @@ Open a folder of pictures to check their labels.</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>未标注</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧完成</numerusform>
+   </translation>
+  </message>
   <message>
    <source>● not saved</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
    <translation>● 未保存</translation>
   </message>
   <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>{shown:,} / {frames}</translation>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>筛选帧</translation>
   </message>
   <message>
-   <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
-   <translation>全部完成</translation>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>帧</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>没有帧。
+打开图片文件夹（jpg、png、bmp、webp），或拖放到此处。</translation>
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <translation>没有内容匹配“{query}”。</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
    <translation>
-    <numerusform>{n:,} 帧完成</numerusform>
+    <numerusform>{n:,} 个文件夹中的{frames}</numerusform>
    </translation>
   </message>
   <message>
@@ -2161,497 +4888,6 @@ Open a folder of pictures to check their labels.</source>
    <source>unfolded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
    <translation>已展开</translation>
-  </message>
-  <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>筛选帧</translation>
-  </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>帧</translation>
-  </message>
-  <message>
-   <source>No frames.
-Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>没有帧。
-打开图片文件夹（jpg、png、bmp、webp），或拖放到此处。</translation>
-  </message>
-  <message>
-   <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>没有内容匹配“{query}”。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个文件夹中的{frames}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>自动选择</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>H：地面的单应矩阵</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>P：针孔</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R：针孔，镜头畸变</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R+：R，像素宽高比，主点</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R2：R+，第二径向系数</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>F：鱼眼</translation>
-  </message>
-  <message>
-   <source>{model}. Chosen: {why}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>{model}。选择依据：{why}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
-   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个标注元素中有 {passing} 个在 {px:g} px 以内</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{counted}; {n} in sight not annotated yet</source>
-   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>
-    <numerusform>{counted}；另有 {n} 个可见但尚未标注</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>可见但未标注的元素会拉低 JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>难以确定：{limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>拟合什么。自动：点击所能支持的最简模型</translation>
-  </message>
-  <message>
-   <source>Model</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>模型</translation>
-  </message>
-  <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>参与拟合的点的平均距离，以图片 px 计</translation>
-  </message>
-  <message>
-   <source>Residuals by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>各元素的残差</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>保存为本帧的相机</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>打开图片文件夹以查看点击得出的相机。</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>实时拟合已关闭（Ctrl+T）。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>已隐藏：盲标模式在提交本帧后显示拟合。</translation>
-  </message>
-  <message>
-   <source>No camera yet: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>尚无相机：{why}。</translation>
-  </message>
-  <message>
-   <source>Fitting the clicks…</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>正在拟合点击…</translation>
-  </message>
-  <message>
-   <source>No fit.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>没有拟合。</translation>
-  </message>
-  <message>
-   <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{tau:.1f} px 下的 JaC</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>&lt;b&gt;难以确定&lt;/b&gt;：{what}</translation>
-  </message>
-  <message>
-   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>JaC：{terms}；残差：图片 px，{width}x{height}</translation>
-  </message>
-  <message>
-   <source>Standard deviation, as the fit estimates it</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>由拟合估计的标准差</translation>
-  </message>
-  <message>
-   <source>mean residual</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>平均残差</translation>
-  </message>
-  <message>
-   <source>Mean</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>平均</translation>
-  </message>
-  <message>
-   <source>Largest</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Worst first; a click shows the worst point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>最差的在前；点击显示最差的点</translation>
-  </message>
-  <message>
-   <source>Mean distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>其点到拟合元素的平均距离，以图片 px 计</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the fitted element, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>其点到拟合元素的最大距离，以图片 px 计</translation>
-  </message>
-  <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>✕ 已排除：{title}</translation>
-  </message>
-  <message>
-   <source>{title}: mean {mean} px, largest {largest} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>{title}：平均 {mean} px，最大 {largest} px</translation>
-  </message>
-  <message>
-   <source>Pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>水平转动</translation>
-  </message>
-  <message>
-   <source>Tilt</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>俯仰</translation>
-  </message>
-  <message>
-   <source>Roll</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>横滚</translation>
-  </message>
-  <message>
-   <source>Focal length</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>焦距</translation>
-  </message>
-  <message>
-   <source>Along (x)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>纵向 (x)</translation>
-  </message>
-  <message>
-   <source>Across (y)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>横向 (y)</translation>
-  </message>
-  <message>
-   <source>Height (−z)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>高度 (−z)</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>视为错误：未参与拟合</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC 随 tau 变化</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>Point</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>点</translation>
-  </message>
-  <message>
-   <source>Worst</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>最差</translation>
-  </message>
-  <message>
-   <source>Passes at</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>通过于</translation>
-  </message>
-  <message>
-   <source>Click a row to see the point that decides</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>点击一行查看起决定作用的点</translation>
-  </message>
-  <message>
-   <source>How the element counts at tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>元素在 tau 下如何计入</translation>
-  </message>
-  <message>
-   <source>The point that decides, counted from 1</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>起决定作用的点，从 1 计数</translation>
-  </message>
-  <message>
-   <source>Largest distance of its points to the projection, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>其点到投影的最大距离，px</translation>
-  </message>
-  <message>
-   <source>The smallest tau of the slider at which it passes, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>滑块上使其通过的最小 tau，px</translation>
-  </message>
-  <message>
-   <source>Scores by element</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>各元素得分</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>计为 {class_name}</translation>
-  </message>
-  <message>
-   <source>Choose an element to read why it counts as it does.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>选择一个元素，以了解其如此计入的原因。</translation>
-  </message>
-  <message>
-   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>该相机就是对这些点击的拟合：此 JaC 不是任何方法的得分</translation>
-  </message>
-  <message>
-   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>此处按镜像类别计：旋转 180° 的场地至少同样吻合。</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>人为噪声 {median:.2f} px，95 % 在 {p95:.2f} px 以内</translation>
-  </message>
-  <message>
-   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>人为噪声 {median:.2f} px，95 % 在 {p95:.2f} px 以内，超过 tau</translation>
-  </message>
-  <message>
-   <source>Precision</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>精确率</translation>
-  </message>
-  <message>
-   <source>Recall</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>召回率</translation>
-  </message>
-  <message>
-   <source>Mean error</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>平均误差</translation>
-  </message>
-  <message>
-   <source>Mean reprojection error of all points, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>所有点的平均重投影误差，px</translation>
-  </message>
-  <message>
-   <source>Median reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>重投影误差中位数，px</translation>
-  </message>
-  <message>
-   <source>Max</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Largest reprojection error, px</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>最大重投影误差，px</translation>
-  </message>
-  <message>
-   <source>{name} has no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>{name} 没有本帧的相机。</translation>
-  </message>
-  <message>
-   <source>points: {kinds}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>点：{kinds}</translation>
-  </message>
-  <message>
-   <source>Scores and their plot</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>得分及其图表</translation>
-  </message>
-  <message>
-   <source>Copy this explanation</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>复制此说明</translation>
-  </message>
-  <message>
-   <source>Copy all explanations</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>复制所有说明</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>打开图片文件夹以查看得分。</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>没有可评判的相机。
-加载相机以查看其与您的点击的吻合程度。</translation>
-  </message>
-  <message>
-   <source>JaC –: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>JaC –：{why}。</translation>
-  </message>
-  <message>
-   <source>This frame's camera cannot be used:
-{error}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>本帧的相机无法使用：
-{error}</translation>
-  </message>
-  <message>
-   <source>No fit to judge: {why}.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>没有可评判的拟合：{why}。</translation>
-  </message>
-  <message>
-   <source>Elements whose points all are closer than tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>所有点都比 tau 更近的元素</translation>
-  </message>
-  <message>
-   <source>Elements too far, or projected and not annotated</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>过远的元素，或已投影但未标注的元素</translation>
-  </message>
-  <message>
-   <source>Annotated elements that the camera does not project</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>已标注但相机未投影的元素</translation>
-  </message>
-  <message>
-   <source>Camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>相机</translation>
-  </message>
-  <message>
-   <source>Annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>标注</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>无误</translation>
-  </message>
-  <message>
-   <source>The active camera is wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>当前相机在本帧有误</translation>
-  </message>
-  <message>
-   <source>The clicks are wrong in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>本帧的点击有误</translation>
-  </message>
-  <message>
-   <source>Camera and clicks are right in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>本帧的相机和点击均正确</translation>
-  </message>
-  <message>
-   <source>Fault</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>错误归属</translation>
-  </message>
-  <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>本帧得分的错误归属；随数据集保存</translation>
-  </message>
-  <message>
-   <source>Verdict: {verdict}</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>判定：{verdict}</translation>
-  </message>
-  <message>
-   <source>{verdict}; once more takes it back ({key})</source>
-   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>{verdict}；再按一次撤回（{key}）</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -2715,7 +4951,7 @@ Load cameras to see how well they agree with your clicks.</source>
   </message>
   <message>
    <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>地标</translation>
   </message>
   <message>
@@ -2725,7 +4961,7 @@ Load cameras to see how well they agree with your clicks.</source>
   </message>
   <message>
    <source>Add</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>添加</translation>
   </message>
   <message>
@@ -2846,221 +5082,303 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>地标 {title}</translation>
   </message>
   <message>
-   <source>Share</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>占比</translation>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>JaC 随 tau 变化</translation>
   </message>
   <message>
-   <source>Median time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>用时中位数</translation>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>各帧的 JaC</translation>
   </message>
   <message>
-   <source>Total time</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>总用时</translation>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>尚无得分。正在后台逐帧计算。</translation>
   </message>
   <message>
-   <source>Where the frame is in its life</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>帧处于哪个阶段</translation>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>{name}（第 {n} 帧）</translation>
   </message>
   <message>
-   <source>How many frames have this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>有多少帧处于此状态</translation>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>本帧没有得分：未标注，或显示的源都没有其相机。</translation>
   </message>
   <message>
-   <source>Of all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>占所有帧</translation>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau (px)</translation>
   </message>
   <message>
-   <source>Of the frames that somebody worked on</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>占有人处理过的帧</translation>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>帧</translation>
   </message>
   <message>
-   <source>Of all frames with this status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>此状态的所有帧</translation>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>每条曲线是该源有相机的帧的平均。</translation>
   </message>
   <message>
-   <source>Class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
-   <translation>类别</translation>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>阴影：95 % 带，{drawn}。</translation>
   </message>
   <message>
-   <source>An element of the field, or another class that occurs</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>场地的元素，或出现的其他类别</translation>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
   </message>
   <message>
-   <source>How many frames it is annotated in</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>在多少帧中有标注</translation>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>已隐藏：盲标模式只显示已提交的帧，而此图表中没有。</translation>
   </message>
   <message>
-   <source>Its points in all frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>其在所有帧中的点</translation>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>已隐藏：盲标模式在提交本帧后显示此图表。</translation>
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
+   <translation>镜头按名称识别，因为{error}。</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>误差直方图</translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
    <translation>
-    <numerusform>{n:,} 个点</numerusform>
+    <numerusform>{n:,} 个没有距离的点已排除。</numerusform>
    </translation>
   </message>
   <message>
-   <source>Overview of the set</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>数据集总览</translation>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>图片上的残差</translation>
   </message>
   <message>
-   <source>Export CSV…</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>导出 CSV…</translation>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>重投影误差 (px)</translation>
   </message>
   <message>
-   <source>Write one row a frame to a table for a spreadsheet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>每帧一行写入电子表格用的表</translation>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>点</translation>
   </message>
   <message>
-   <source>Share of frames that are done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>已完成或已批准的帧的占比</translation>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>最后一条包含所有更大的误差。</translation>
   </message>
   <message>
-   <source>Frames by status</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>各状态的帧数</translation>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{px:g} px 或更大</translation>
   </message>
   <message>
-   <source>Frames and points by class</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>各类别的帧数和点数</translation>
-  </message>
-  <message numerus="yes">
-   <source>frames, {points}</source>
-   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>帧，{points}</numerusform>
-   </translation>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>{name} {part:,} / {total:,}</translation>
   </message>
   <message>
-   <source>done or approved</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>已完成或已批准</translation>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>本帧没有 {element} 的点。</translation>
   </message>
   <message>
-   <source>a frame (median)</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>每帧（中位数）</translation>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>目前没有 {element} 的点。</translation>
   </message>
   <message>
-   <source>median JaC of {n:,}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>{n:,} 帧的 JaC 中位数</translation>
-  </message>
-  <message numerus="yes">
-   <source>of {n:,} comments open</source>
-   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>共 {n:,} 条评论，未处理</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>In {n:,} frames</source>
-   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>在 {n:,} 帧中</numerusform>
-   </translation>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>本帧没有被显示源投影的标注点。</translation>
   </message>
   <message>
-   <source>Nothing to sum up: no frames are open.
-Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>没有可汇总的内容：未打开任何帧。
-请先打开图片文件夹。</translation>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>目前没有被显示源投影的标注点。</translation>
   </message>
   <message>
-   <source>Points by origin: {origins}</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>按来源的点：{origins}</translation>
-  </message>
-  <message numerus="yes">
-   <source>on {n:,} frames</source>
-   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>
-    <numerusform>在 {n:,} 帧上</numerusform>
-   </translation>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>箭头放大绘制</translation>
   </message>
   <message>
-   <source>no time taken yet</source>
-   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>尚未计时</translation>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>箭头绘制为实际长度的多少倍</translation>
   </message>
   <message>
-   <source>Time per frame in hours</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>每帧用时（小时）</translation>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>自动</translation>
   </message>
   <message>
-   <source>Time per frame in minutes</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>每帧用时（分钟）</translation>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>箭头为实际长度的 {factor} 倍：从点击指向投影。</translation>
   </message>
   <message>
-   <source>Time per frame in seconds</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>每帧用时（秒）</translation>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>箭头为实际长度的 {factor} 倍：图片中每个有 5 个或更多点的部分的残差中位数。</translation>
   </message>
   <message>
-   <source>No frames</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>没有帧</translation>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <translation>点尚太少：图片的一个部分有五个点才成一个箭头。</translation>
   </message>
   <message>
-   <source>Elements per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>每帧元素数</translation>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>图片 (*.png);;矢量图 (*.svg)</translation>
   </message>
   <message>
-   <source>Time per frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>每帧用时</translation>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>图表的数值已复制到剪贴板</translation>
   </message>
   <message>
-   <source>No time yet: it is taken while somebody works on a frame</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>尚无用时：有人处理帧时计时</translation>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>保存图表</translation>
   </message>
   <message>
-   <source>{caption}; last bar: longer</source>
-   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>{caption}；最后一条：更长</translation>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>已写出 {path}，截至已评分部分</translation>
   </message>
   <message>
-   <source>{hours:,} h {minutes:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{hours:,} 小时 {minutes:02d} 分</translation>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>已写出 {path}</translation>
   </message>
   <message>
-   <source>{seconds:.1f} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{seconds:.1f} 秒</translation>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>图表已作为图片复制到剪贴板</translation>
   </message>
   <message>
-   <source>{seconds} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{seconds} 秒</translation>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>没有可带走的图表</translation>
   </message>
   <message>
-   <source>{minutes} min {seconds:02d} s</source>
-   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation>{minutes} 分 {seconds:02d} 秒</translation>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/panels/plots/export.py]</extracomment>
+   <translation>{frames}，截至已评分部分</translation>
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <translation>源：{names}</translation>
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（{n:,} / {total:,}）</translation>
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>所有元素</translation>
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>保存</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>复制或保存图表及其数值</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>复制或保存图表</translation>
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>图表</translation>
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>绘制屏幕上的帧，或目前已评分的所有帧</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>只绘制一个元素的点</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>打开图片文件夹以查看图表。</translation>
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>没有可评判的相机。
+加载相机以查看其与您的点击的吻合程度。</translation>
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>无法计算此图表：{error}。</translation>
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（已提交 {n:,}）</translation>
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>复制图片</translation>
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>复制数值</translation>
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>保存图片…</translation>
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>保存数值…</translation>
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>正在计算…</translation>
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（已隐藏）</translation>
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>（无得分）</translation>
   </message>
   <message>
    <source>Nobody has edited this frame here</source>
@@ -3096,6 +5414,11 @@ Open a folder of pictures first.</source>
    <source>Edited after the cameras were shown.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>在显示相机之后编辑过。</translation>
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{seconds} 秒</translation>
   </message>
   <message>
    <source>Committed in blind mode by {author}</source>
@@ -3139,7 +5462,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
    <translation>请先打开图片文件夹。</translation>
   </message>
   <message>
@@ -3166,905 +5489,302 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>somebody</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/editing/batch_edits.py, procc_annotator/gui/state/state.py]</extracomment>
    <translation>某人</translation>
   </message>
   <message>
-   <source>annotated</source>
-   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>已标注</translation>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>选择一个元素，以了解其如此计入的原因。</translation>
   </message>
   <message>
-   <source>unconfirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>未确认</translation>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>该相机就是对这些点击的拟合：此 JaC 不是任何方法的得分</translation>
   </message>
   <message>
-   <source>not visible</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>不可见</translation>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>此处按镜像类别计：旋转 180° 的场地至少同样吻合。</translation>
   </message>
   <message>
-   <source>next</source>
-   <comment>element</comment>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>下一个</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>人为噪声 {median:.2f} px，95 % 在 {p95:.2f} px 以内</translation>
   </message>
   <message>
-   <source>Not annotated in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>本帧中未标注</translation>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>人为噪声 {median:.2f} px，95 % 在 {p95:.2f} px 以内，超过 tau</translation>
   </message>
   <message>
-   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>已标注但未评判：没有显示相机，或其不参与评测</translation>
-  </message>
-  <message>
-   <source>Copied; it does not count until it is touched or confirmed</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>复制所得；改动或确认之前不计入</translation>
-  </message>
-  <message>
-   <source>Passes: all its points are closer than tau to the projection</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>通过：所有点到投影的距离都小于 tau</translation>
-  </message>
-  <message>
-   <source>Too far: at least one point is tau or more away (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>过远：至少一个点的距离达到或超过 tau（假阳性）</translation>
-  </message>
-  <message>
-   <source>The camera projects it, it is not annotated (false positive)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>相机投影了它，但未标注（假阳性）</translation>
-  </message>
-  <message>
-   <source>Annotated, the camera does not project it (false negative)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>已标注，但相机未投影（假阴性）</translation>
-  </message>
-  <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>有人标明它在本帧不可见</translation>
-  </message>
-  <message>
-   <source>To be annotated next, as on the field map and in the picture</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>接下来应标注，如场地图和图片所示</translation>
-  </message>
-  <message>
-   <source>{title} (unknown class)</source>
-   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>{title}（未知类别）</translation>
-  </message>
-  <message>
-   <source>The picture cannot be shown</source>
-   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
-   <translation>图片无法显示</translation>
-  </message>
-  <message>
-   <source>Blind: no camera is shown before Ctrl+Enter</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>盲标：按 Ctrl+回车之前不显示相机</translation>
-  </message>
-  <message>
-   <source>Blind mode, this frame is committed</source>
-   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>盲标模式，本帧已提交</translation>
-  </message>
-  <message>
-   <source>no camera is known here that could be dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>此处没有可拖动的相机</translation>
-  </message>
-  <message>
-   <source>taken back: the camera is as before it was dragged</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>已撤回：相机恢复到拖动之前</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>盲标模式：不显示相机</translation>
-  </message>
-  <message>
-   <source>overlays are hidden (Ctrl+H)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>叠加层已隐藏（Ctrl+H）</translation>
-  </message>
-  <message>
-   <source>a homography cannot be turned: choose another model (panel Fit)</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>单应矩阵无法转动：请选择其他模型（“拟合”面板）</translation>
-  </message>
-  <message>
-   <source>release leaves it here</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>松开即留在此处</translation>
-  </message>
-  <message>
-   <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc 放回原处</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个固定桩约束相机</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>CAMERA</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>相机</translation>
-  </message>
-  <message numerus="yes">
-   <source>peg taken away: {n} pegs left</source>
-   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>
-    <numerusform>已移除固定桩：剩余 {n} 个</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>peg taken away: the camera is as it was found</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>已移除固定桩：相机恢复为求得的状态</translation>
-  </message>
-  <message>
-   <source>peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>固定桩</translation>
-  </message>
-  <message>
-   <source>press on a line of the wireframe</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>按住线框上的一条线</translation>
-  </message>
-  <message>
-   <source>drag moves this peg</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>拖动可移动此固定桩</translation>
-  </message>
-  <message>
-   <source>click takes it away</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>点击可移除</translation>
-  </message>
-  <message>
-   <source>drag a place of the wireframe to where it belongs</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>将线框上的一处拖到其应在的位置</translation>
-  </message>
-  <message>
-   <source>drag {title} to where it belongs: the camera follows</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>将 {title} 拖到其应在的位置：相机随之移动</translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Ctrl+Z 撤回</translation>
-  </message>
-  <message>
-   <source>PAN</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>平移</translation>
-  </message>
-  <message>
-   <source>drag moves the picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>拖动可移动图片</translation>
-  </message>
-  <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击和回车不起作用</translation>
-  </message>
-  <message>
-   <source>Esc takes the tool again</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>Esc 换回工具</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>图片</translation>
-  </message>
-  <message>
-   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation>加载第二组相机以在两者间切换查看（Ctrl+L）</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>相机无法读取</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>此处无相机</translation>
-  </message>
-  <message>
-   <source>{titles}: changed elsewhere, look again first</source>
-   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation>{titles}：已在别处更改，请先再看一遍</translation>
-  </message>
-  <message>
-   <source>{title} has no points in this frame: choose the element to delete</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{title} 在本帧没有点：请选择要删除的元素</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>已保留 {frame} 上 {title} 的 1 次点击（未确认）：在该帧选择该元素即可继续</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>已在 {frame} 上以 {n} 个点完成 {title}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>choose the element to delete first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>请先选择要删除的元素：场地图、列表或其按键</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} points of {title}</source>
-   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>已丢弃 {title} 的 {n} 个点</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>
-    <numerusform>已以 {n} 个点完成 {title}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} pegs</source>
-   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个固定桩</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>已拖动相机，{pegs}，已按画线精化：其线的 {share:.0%}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}, not made exact: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>已拖动相机，{pegs}，未精化：{why}</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>找到相机，存疑：{why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>已拖动相机，{pegs}</translation>
-  </message>
-  <message>
-   <source>Camera of the track: Shift+Enter accepts its elements</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>跟踪所得的相机：Shift+回车接受其元素</translation>
-  </message>
-  <message>
-   <source>Looking for the camera in the picture …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>正在图片中寻找相机 …</translation>
-  </message>
-  <message>
-   <source>No camera found: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>未找到相机：{why}</translation>
-  </message>
-  <message>
-   <source>Camera found, sure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>找到相机，确定：{why}</translation>
-  </message>
-  <message>
-   <source>Camera dragged, {pegs}: its lines are looked for …</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>已拖动相机，{pegs}：正在寻找其线 …</translation>
-  </message>
-  <message>
-   <source>Camera of the track, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>跟踪所得的相机，存疑：{why}</translation>
-  </message>
-  <message>
-   <source>{title}  ±{sd:.1f} px  unsure</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
-   <translation>{title}  ±{sd:.1f} px  存疑</translation>
-  </message>
-  <message>
-   <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>下一个：{title}</translation>
-  </message>
-  <message>
-   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>十字光标：方向键移动（Shift 0.1 px，Ctrl 10 px，Ctrl+Shift 100 px），空格点击，Esc 收起</translation>
-  </message>
-  <message>
-   <source>point at a line first: with the mouse, or with the arrows</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>请先指向一条线：用鼠标或方向键</translation>
-  </message>
-  <message>
-   <source>there is no line here to put a point on</source>
-   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>此处没有可放置点的线</translation>
-  </message>
-  <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>亮度</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>对比度</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>伽马</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>线条增强</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>突出磨损和阴影中的线</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>重置</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>按原样显示图片</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>只改变您所看到的，绝不改变文件</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>整体平移数值</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>围绕中灰拉伸数值</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation>向右则暗处变亮</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>拟合相机有多好</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>地面上的米数，1 σ</translation>
-  </message>
-  <message>
-   <source>How good the fitted camera ({model}) is</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>拟合相机（{model}）有多好</translation>
-  </message>
-  <message>
-   <source>{metres:g} m, asked of offside technology</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m，越位技术的要求</translation>
-  </message>
-  <message>
-   <source>metres on the ground, 1 sd, median {median:.2f}</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>地面上的米数，1 σ，中位数 {median:.2f}</translation>
-  </message>
-  <message>
-   <source>metres on the ground</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>地面上的米数</translation>
-  </message>
-  <message>
-   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
-   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m：可见场地的 {percent:.0f} %</translation>
-  </message>
-  <message>
-   <source>Drag to move the divider (arrow keys do it too)</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>拖动以移动分隔线（方向键亦可）</translation>
-  </message>
-  <message>
-   <source>Divider of the split view</source>
-   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation>分割视图的分隔线</translation>
-  </message>
-  <message>
-   <source>JaC over tau, differences</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC 随 tau 变化，差值</translation>
-  </message>
-  <message>
-   <source>No frame that two of the shown sources have is scored yet.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>尚无两个显示源都有的已评分帧。</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>各帧的 JaC</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>尚无得分。正在后台逐帧计算。</translation>
-  </message>
-  <message>
-   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{name} 减去其他各源，基于双方都有的帧。95 % 带位于 0 一侧之处为超出偶然；{drawn}。</translation>
-  </message>
-  <message>
-   <source>One source alone has nothing to be compared with.
-Load or show another one.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>单个源无可比较。
-请加载或显示另一个。</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name}（第 {n} 帧）</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>本帧没有得分：未标注，或显示的源都没有其相机。</translation>
-  </message>
-  <message>
-   <source>JaC, difference</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC，差值</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>帧</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>每条曲线是该源有相机的帧的平均。</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>阴影：95 % 带，{drawn}。</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>误差直方图</translation>
-  </message>
-  <message>
-   <source>Errors, by image radius</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>误差与图片半径</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个没有距离的点已排除。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
-   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>绘制 {n:,} 个点中的 {painted:,} 个，包括误差最大的点。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>重投影误差 (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>点</translation>
   </message>
   <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>最后一条包含所有更大的误差。</translation>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>最差</translation>
   </message>
   <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{px:g} px 或更大</translation>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>通过于</translation>
   </message>
   <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} / {total:,}</translation>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>点击一行查看起决定作用的点</translation>
   </message>
   <message>
-   <source>distance from the centre (corner = 1)</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>到中心的距离（角点 = 1）</translation>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>元素在 tau 下如何计入</translation>
   </message>
   <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>本帧没有 {element} 的点。</translation>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>起决定作用的点，从 1 计数</translation>
   </message>
   <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>目前没有 {element} 的点。</translation>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>其点到投影的最大距离，px</translation>
   </message>
   <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>本帧没有被显示源投影的标注点。</translation>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>滑块上使其通过的最小 tau，px</translation>
   </message>
   <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>目前没有被显示源投影的标注点。</translation>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>相机</translation>
   </message>
   <message>
-   <source>Lines: running median of all points.</source>
-   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>线：所有点的滑动中位数。</translation>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>标注</translation>
   </message>
   <message>
-   <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation>源：{names}</translation>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>无误</translation>
   </message>
   <message>
-   <source>({n:,} of {total:,})</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（{n:,} / {total:,}）</translation>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>当前相机在本帧有误</translation>
   </message>
   <message>
-   <source>All elements</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>所有元素</translation>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>本帧的点击有误</translation>
   </message>
   <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>保存</translation>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>本帧的相机和点击均正确</translation>
   </message>
   <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>复制或保存图表及其数值</translation>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>各元素得分</translation>
   </message>
   <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>复制或保存图表</translation>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>精确率</translation>
   </message>
   <message>
-   <source>Plot</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>图表</translation>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>召回率</translation>
   </message>
   <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>绘制屏幕上的帧，或目前已评分的所有帧</translation>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>平均误差</translation>
   </message>
   <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>只绘制一个元素的点</translation>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>所有点的平均重投影误差，px</translation>
   </message>
   <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>打开图片文件夹以查看图表。</translation>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>重投影误差中位数，px</translation>
   </message>
   <message>
-   <source>This plot could not be computed: {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>无法计算此图表：{error}。</translation>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>最大</translation>
   </message>
   <message>
-   <source>({n:,} committed)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（已提交 {n:,}）</translation>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>最大重投影误差，px</translation>
   </message>
   <message>
-   <source>Copy picture</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>复制图片</translation>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{name} 没有本帧的相机。</translation>
   </message>
   <message>
-   <source>Copy numbers</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>复制数值</translation>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>点：{kinds}</translation>
   </message>
   <message>
-   <source>Save picture…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>保存图片…</translation>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>错误归属</translation>
   </message>
   <message>
-   <source>Save numbers…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>保存数值…</translation>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>本帧得分的错误归属；随数据集保存</translation>
   </message>
   <message>
-   <source>Computing…</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>正在计算…</translation>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>复制此说明</translation>
   </message>
   <message>
-   <source>(hidden)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（已隐藏）</translation>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>复制所有说明</translation>
   </message>
   <message>
-   <source>(no score)</source>
-   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>（无得分）</translation>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>打开图片文件夹以查看得分。</translation>
   </message>
   <message>
-   <source>Pan, tilt, roll, zoom over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>各帧的水平转动、俯仰、横滚、变焦</translation>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>JaC –：{why}。</translation>
   </message>
   <message>
-   <source>Position over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>各帧的位置</translation>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>本帧的相机无法使用：
+{error}</translation>
   </message>
   <message>
-   <source>tilt</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>俯仰</translation>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>没有可评判的拟合：{why}。</translation>
   </message>
   <message>
-   <source>roll</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>横滚</translation>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>判定：{verdict}</translation>
   </message>
   <message>
-   <source>focal</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>焦距</translation>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>{verdict}；再按一次撤回（{key}）</translation>
   </message>
   <message>
-   <source>height</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>高度</translation>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>所有点都比 tau 更近的元素</translation>
   </message>
   <message>
-   <source>No poses yet. They are gathered in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>尚无位姿。正在后台逐帧收集。</translation>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>过远的元素，或已投影但未标注的元素</translation>
   </message>
   <message>
-   <source>pan</source>
-   <comment>an angle</comment>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>水平转动</translation>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>已标注但相机未投影的元素</translation>
   </message>
   <message>
-   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>显示的源均为没有位姿的模型（单应矩阵、仅投影）。</translation>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>计为 {class_name}</translation>
   </message>
-  <message numerus="yes">
-   <source>{name}: {n:,} jumps (rings).</source>
-   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>
-    <numerusform>{name}：{n:,} 处跳变（圆环）。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{name}: its model has no pose.</source>
-   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name}：其模型没有位姿。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>已隐藏：盲标模式只显示已提交的帧，而此图表中没有。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>已隐藏：盲标模式在提交本帧后显示此图表。</translation>
-  </message>
-  <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>镜头按名称识别，因为{error}。</translation>
-  </message>
-  <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>图片上的残差</translation>
-  </message>
-  <message>
-   <source>Residuals, by direction</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>残差，按方向</translation>
-  </message>
-  <message>
-   <source>{px:.2f} px right</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>向右 {px:.2f} px</translation>
-  </message>
-  <message>
-   <source>{px:.2f} px left</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>向左 {px:.2f} px</translation>
-  </message>
-  <message>
-   <source>{px:.2f} px down</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>向下 {px:.2f} px</translation>
-  </message>
-  <message>
-   <source>{px:.2f} px up</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>向上 {px:.2f} px</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>箭头放大绘制</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>箭头绘制为实际长度的多少倍</translation>
-  </message>
-  <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>自动</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>箭头为实际长度的 {factor} 倍：从点击指向投影。</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>箭头为实际长度的 {factor} 倍：图片中每个有 5 个或更多点的部分的残差中位数。</translation>
-  </message>
-  <message>
-   <source>to the right (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>向右 (px)</translation>
-  </message>
-  <message>
-   <source>down (px)</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>向下 (px)</translation>
-  </message>
-  <message>
-   <source>Median of clicks to projection: {ways}.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>从点击到投影的中位数：{ways}。</translation>
-  </message>
   <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>点尚太少：图片的一个部分有五个点才成一个箭头。</translation>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>锚帧</translation>
   </message>
   <message>
-   <source>No three frames in a row have a camera that goes from one to the next.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>没有连续三帧有前后相接的相机。</translation>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>已跟踪</translation>
   </message>
   <message>
-   <source>Jitter over the frames</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>各帧的抖动</translation>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>已衔接</translation>
   </message>
   <message>
-   <source>How far each frame is from steady motion between its neighbours.</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>每帧偏离相邻帧间匀速运动的程度。</translation>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>丢失</translation>
   </message>
   <message>
-   <source>jitter (px)</source>
-   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation>抖动 (px)</translation>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>第 {number} 帧，范围 {first}–{last}</translation>
   </message>
   <message>
-   <source>Picture (*.png);;Vector graphics (*.svg)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>图片 (*.png);;矢量图 (*.svg)</translation>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{state}，{share:.0%} 的线落在画线上</translation>
   </message>
   <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>表格 (*.csv)</translation>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>名称以 {step} 递增</translation>
   </message>
   <message>
-   <source>the plotted numbers are on the clipboard</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>图表的数值已复制到剪贴板</translation>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>其相机已被拖动</translation>
   </message>
   <message>
-   <source>Save the plot</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>保存图表</translation>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>盲标：其相机已隐藏</translation>
   </message>
   <message>
-   <source>wrote {path}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>已写出 {path}，截至已评分部分</translation>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>{found}，相距 {far:.1f} px</translation>
   </message>
   <message>
-   <source>wrote {path}</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>已写出 {path}</translation>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>存疑：{why}</translation>
   </message>
   <message>
-   <source>the plot is on the clipboard as a picture</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>图表已作为图片复制到剪贴板</translation>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>镜头的帧</translation>
   </message>
   <message>
-   <source>there is nothing plotted to take along</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>没有可带走的图表</translation>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/panels/timeline/shot_strip.py]</extracomment>
+   <translation>方向键逐帧移动，加 Shift 标记区段，Esc 取消标记</translation>
   </message>
   <message>
-   <source>{frames}, as far as scored</source>
-   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation>{frames}，截至已评分部分</translation>
+   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
+   <extracomment>[procc_annotator/gui/panels/widgets.py]</extracomment>
+   <translation>不接受 {number:g}：{least:g} 到 {most:g}{unit}</translation>
   </message>
   <message>
    <source>Fit and ghosts</source>
@@ -4075,6 +5795,11 @@ Load or show another one.</source>
    <source>Annotating</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
    <translation>标注</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what})</source>
+   <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
+   <translation>意外错误（{what}）</translation>
   </message>
   <message>
    <source>{who} unlocked this dataset from blind mode on {day}</source>
@@ -4107,11 +5832,6 @@ Load or show another one.</source>
    <translation>{reason}：可在“帧”菜单中解锁，并会记录</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>请先打开图片文件夹</translation>
-  </message>
-  <message>
    <source>this dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
    <translation>此数据集已锁定为盲标模式</translation>
@@ -4132,169 +5852,119 @@ Load or show another one.</source>
    <translation>请加载其中一个文件夹：{names}</translation>
   </message>
   <message>
-   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} 只提供元素的显示位置，没有相机：无地面可比较。</translation>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>已含相同内容</translation>
   </message>
   <message>
-   <source>{names}: no camera for this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names}：本帧无相机。</translation>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>已标注</translation>
   </message>
   <message>
-   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{name} 只提供元素的显示位置，没有相机：无地面可比较。</translation>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>{who} 正在编辑</translation>
   </message>
   <message>
-   <source>{a} and {b}</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{a} 和 {b}</translation>
-  </message>
-  <message>
-   <source>The two see no part of the field in common in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>两者在本帧中没有共同可见的场地部分。</translation>
-  </message>
-  <message>
-   <source>Both cameras are the same in this frame.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>两个相机在本帧中相同。</translation>
-  </message>
-  <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏。</translation>
-  </message>
-  <message>
-   <source>No source is judged: choose one first.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>未评判任何源：请先选择一个。</translation>
-  </message>
-  <message>
-   <source>Two sources of cameras are needed: load another one.</source>
-   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>需要两个相机源：请再加载一个。</translation>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/editing/batch_edits.py]</extracomment>
+   <translation>无法编辑</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>盲标：此处没有标注；再按 Ctrl+回车会显示相机，此后的点击不算盲标</translation>
   </message>
   <message>
    <source>{frame} is done</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} 已完成</translation>
   </message>
   <message>
    <source>nothing to undo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>本帧没有可撤销的内容</translation>
   </message>
   <message>
    <source>undo once more takes that away</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>再次撤销即可去除</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} 已在别处更改并重新读取：{so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>未确认的元素不计入：{count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>已撤销：{step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>已重做：{step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>{frame} 已在别处更改：已重新读取</translation>
   </message>
   <message>
    <source>nothing is undone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>没有撤销任何内容</translation>
   </message>
   <message>
    <source>nothing is redone</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>没有重做任何内容</translation>
   </message>
   <message>
    <source>nothing to redo on this frame</source>
-   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/editing/editor.py]</extracomment>
    <translation>本帧没有可重做的内容</translation>
   </message>
   <message>
-   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>{file} 指定了此数据集的场地：要选择其他场地，请移走该文件并重新打开数据集</translation>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>{name} 的相机已更改：{why}</translation>
   </message>
   <message>
-   <source>field: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>场地：{field}</translation>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing/outside_changes.py]</extracomment>
+   <translation>{name} 的相机在磁盘上已更改：已重新读取</translation>
   </message>
   <message>
-   <source>this dataset's field from now on: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>此数据集从现在起的场地：{field}</translation>
-  </message>
-  <message>
-   <source>this dataset's field from now on, {reach}: {field}</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>此数据集从现在起的场地，{reach}：{field}</translation>
-  </message>
-  <message>
-   <source>no other field knows the classes here better</source>
-   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>没有其他场地更符合这里的类别</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>本帧之后的所有帧均已标注</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation>本帧之前的所有帧均已标注</translation>
-  </message>
-  <message>
-   <source>{title}: its line could not be looked for: {why}</source>
-   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation>{title}：无法寻找其线：{why}</translation>
-  </message>
-  <message>
-   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} 位于 {place} m，± {deviations}，由 {views} 个视图得出</translation>
-  </message>
-  <message>
-   <source>{title} was deleted meanwhile: its place was not kept</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} 已被删除：其位置未保留</translation>
-  </message>
-  <message>
-   <source>left out: {names}</source>
-   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>已排除：{names}</translation>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/editing/saving.py]</extracomment>
+   <translation>未保存：{why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
    <translation>数据集的地标保持不变：{why}</translation>
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} 位于 {place} m，± {deviations}，由 {views} 个视图得出</translation>
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>{title} 已被删除：其位置未保留</translation>
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>已排除：{names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
@@ -4307,54 +5977,149 @@ Load or show another one.</source>
    <translation>数据集的地标可再次使用</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>实时拟合已关闭</translation>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names} 只提供元素的显示位置，没有相机：无地面可比较。</translation>
   </message>
   <message>
-   <source>the fit failed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>拟合失败：{why}</translation>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{names}：本帧无相机。</translation>
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{name} 只提供元素的显示位置，没有相机：无地面可比较。</translation>
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>{a} 和 {b}</translation>
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>两者在本帧中没有共同可见的场地部分。</translation>
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>两个相机在本帧中相同。</translation>
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>盲标：提交本帧之前隐藏。</translation>
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>未评判任何源：请先选择一个。</translation>
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>需要两个相机源：请再加载一个。</translation>
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>拟合相机看不到场地的任何部分。</translation>
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>实时拟合已关闭，因此没有不确定度图（Ctrl+T 打开）。</translation>
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>本帧没有拟合，因此没有不确定度图。</translation>
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>尚无相机，因此没有不确定度图：{why}。</translation>
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
+   <translation>无法绘制画线宽度：{why}</translation>
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>{file} 指定了此数据集的场地：要选择其他场地，请移走该文件并重新打开数据集</translation>
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>场地：{field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>此数据集从现在起的场地：{field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>此数据集从现在起的场地，{reach}：{field}</translation>
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/navigation/field_choice.py]</extracomment>
+   <translation>没有其他场地更符合这里的类别</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>本帧之后的所有帧均已标注</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>本帧之前的所有帧均已标注</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>无法写入 {folder}：此处的标注都无法保存</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>尚未全部保存：未打开另一个数据集</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>尚未全部保存：未打开视频</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>未打开任何内容</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
    <translation>此数据集的场地：{field}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed: {why}</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>{name} 的相机已更改：{why}</translation>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>{title}：无法寻找其线：{why}</translation>
   </message>
   <message>
-   <source>cameras of {name} changed on disk: read again</source>
-   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>{name} 的相机在磁盘上已更改：已重新读取</translation>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>实时拟合已关闭</translation>
   </message>
   <message>
-   <source>the painted width cannot be drawn: {why}</source>
-   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation>无法绘制画线宽度：{why}</translation>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
+   <translation>拟合失败：{why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -4382,9 +6147,14 @@ Load or show another one.</source>
    <translation>仅在此窗口中：无法写入任何内容</translation>
   </message>
   <message>
-   <source>not saved: {why}</source>
-   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation>未保存：{why}</translation>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}：其中没有相机（{what_to_do}）</translation>
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <translation>{path}：没有相机与帧同名（相机名如 {camera!r}，帧名如 {frame!r}）</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -4402,36 +6172,6 @@ Load or show another one.</source>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
    <translation>第二位标注者：{why}</translation>
-  </message>
-  <message>
-   <source>it holds the same already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>已含相同内容</translation>
-  </message>
-  <message>
-   <source>it is annotated already</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>已标注</translation>
-  </message>
-  <message>
-   <source>{who} is editing it</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>{who} 正在编辑</translation>
-  </message>
-  <message>
-   <source>it cannot be edited</source>
-   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation>无法编辑</translation>
-  </message>
-  <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}：其中没有相机（{what_to_do}）</translation>
-  </message>
-  <message>
-   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path}：没有相机与帧同名（相机名如 {camera!r}，帧名如 {frame!r}）</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
@@ -4454,2211 +6194,59 @@ Load or show another one.</source>
    <translation>标注无法读取</translation>
   </message>
   <message>
-   <source>The fitted camera sees no part of the field.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>拟合相机看不到场地的任何部分。</translation>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title} 的虚影</translation>
   </message>
   <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>实时拟合已关闭，因此没有不确定度图（Ctrl+T 打开）。</translation>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>接受</translation>
   </message>
   <message>
-   <source>There is no fit of this frame, so no uncertainty map.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>本帧没有拟合，因此没有不确定度图。</translation>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>近看</translation>
   </message>
   <message>
-   <source>No camera yet, so no uncertainty map: {why}.</source>
-   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>尚无相机，因此没有不确定度图：{why}。</translation>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
+   <translation>此处不可见</translation>
   </message>
   <message>
-   <source>Frames as small pictures</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>帧的缩略图</translation>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>正在绘制 {title}</translation>
   </message>
   <message>
-   <source>The arrows go along, Enter shows the frame</source>
-   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation>方向键沿帧条移动，回车显示该帧</translation>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>在此分割：其余部分变为</translation>
   </message>
   <message>
-   <source>Frames of the shot</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>镜头的帧</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>此处不可见：撤回</translation>
   </message>
   <message>
-   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
-   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation>方向键逐帧移动，加 Shift 标记区段，Esc 取消标记</translation>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>更改类别为（与已标注的互换）</translation>
   </message>
   <message>
-   <source>anchor</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>锚帧</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title} 的点 {number}</translation>
   </message>
   <message>
-   <source>followed</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>已跟踪</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>合并到</translation>
   </message>
   <message>
-   <source>bridged</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>已衔接</translation>
-  </message>
-  <message>
-   <source>lost</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>丢失</translation>
-  </message>
-  <message>
-   <source>frame {number} of {first}–{last}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>第 {number} 帧，范围 {first}–{last}</translation>
-  </message>
-  <message>
-   <source>{state}, {share:.0%} of the lines on paint</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{state}，{share:.0%} 的线落在画线上</translation>
-  </message>
-  <message>
-   <source>names count by {step}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>名称以 {step} 递增</translation>
-  </message>
-  <message>
-   <source>its camera was dragged</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>其相机已被拖动</translation>
-  </message>
-  <message>
-   <source>blind: its camera is hidden</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>盲标：其相机已隐藏</translation>
-  </message>
-  <message>
-   <source>{found}, {far:.1f} px from it</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>{found}，相距 {far:.1f} px</translation>
-  </message>
-  <message>
-   <source>doubtful: {why}</source>
-   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>存疑：{why}</translation>
-  </message>
-  <message>
-   <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>没有变化：已经规整，或该处未找到画线</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已从 {frame} 复制 {what}，沿跟踪结果；Shift+V 全部确认</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已从 {frame} 复制 {what}，随相机移动；Shift+V 全部确认</translation>
-  </message>
-  <message>
-   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已从 {frame} 原样复制 {what}：未找到运动；Shift+V 全部确认</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已撤回：不规整任何内容</translation>
-  </message>
-  <message>
-   <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已撤回：不复制任何内容</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已离开该帧：未规整任何内容</translation>
-  </message>
-  <message>
-   <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>已离开该帧：未复制任何内容</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个点未得到画线证实</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>规整 {what}</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>从 {frame} 复制</translation>
-  </message>
-  <message>
-   <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>请先选择已标注的元素</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个元素</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>已规整 {what}：{n} 个点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{element} 有拐角或只是单个位置：保持不变</translation>
-  </message>
-  <message>
-   <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>此处没有标注场地的元素</translation>
-  </message>
-  <message>
-   <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>本帧之前没有已标注的帧</translation>
-  </message>
-  <message>
-   <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} 没有此处缺少的元素</translation>
-  </message>
-  <message>
-   <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} 变为 {other}</translation>
-  </message>
-  <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>互换 {element} 和 {other}</translation>
-  </message>
-  <message>
-   <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>将 {element} 复制为 {other}</translation>
-  </message>
-  <message>
-   <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>将 {element} 并入 {other}</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>闭合间隙</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>确认 {n} 个元素</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>丢弃 {n} 个未确认的元素</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} 的对称类别就是它自己</translation>
-  </message>
-  <message numerus="yes">
-   <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{elements} 已标注</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} 位于 {other} 处：请将其拖到位</translation>
-  </message>
-  <message>
-   <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>反转 {element}</translation>
-  </message>
-  <message>
-   <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>请先选择分割处的点（编辑模式）</translation>
-  </message>
-  <message>
-   <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>分割 {element}</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>已确认 {n} 个元素</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>本帧没有未确认的内容</translation>
-  </message>
-  <message>
-   <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>没有端点那么靠近角点或图片边缘</translation>
-  </message>
-  <message numerus="yes">
-   <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>已丢弃 {n} 个未确认的元素</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>元素须在两端之间的点处分割，分成一个空闲的类别</translation>
-  </message>
-  <message>
-   <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} 已在别处更改：请再看一遍</translation>
-  </message>
-  <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}：{points}，{share:.0%} 的线可见</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{elements} 有 {n} 个端点不可见：点在此之前结束</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>相机此时已不同</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>接受 {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个虚影</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{total} 个虚影中的 {n} 个</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>已接受 {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>有 {n} 个端点不可见：点在此之前结束</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>该帧此时已被编辑</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>在 {frame} 上寻找线用时过长</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受 {element}：{why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>接受所有虚影</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>虚影的线要有多少可见，才能与其他所有一并接受（%）：</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}：沿线未找到画线；请手动点击，或标明此处不可见（.）</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>正在拟合相机：请稍后接受其虚影</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>已在 {frame} 上接受 {what}</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影：没有图片可寻找其线</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影：{why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受 {element}</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>虚影已接受：请接受新拟合的虚影</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>正在绘制的内容已完成：请接受新拟合的虚影</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>找到其点后即接受 {element}</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>请先转到虚影（Tab）或选择元素</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>那是第一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>在此图片中未找到相机：请绘制三四个元素，或跟踪镜头（T）</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>那是最后一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>正在拟合相机：虚影马上就来</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：正在图片中寻找相机</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：{why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：其余可见内容已标注，或还不够确定</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：标注三四个元素即可得出相机</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>在此图片中未找到相机：请绘制三四个元素</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>盲标模式下没有虚影，直到提交本帧（Ctrl+回车）</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：实时拟合已关闭（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：已关闭（元素 &gt; 虚影 &gt; 显示虚影）</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>叠加层已隐藏：看不到虚影（Ctrl+H，或松开 X）</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>请先完成正在绘制的内容（回车），或取消（Esc）</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：无法拟合相机</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>尚无合适的相机</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>正在手动绘制</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} 在此已标注：请先删除（Ctrl+Delete）</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} 在此不可见；Ctrl+. 撤回</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} 在此可能又可见</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>本帧没有被标为不可见的元素</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>那是最后一个虚影</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>请先转到虚影（Tab）</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{off}；请先选择元素</translation>
-  </message>
-  <message>
-   <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>线的名称</translation>
-  </message>
-  <message>
-   <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>这是哪条线？</translation>
-  </message>
-  <message>
-   <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} 是曲线，两个点无法表示：请继续点击</translation>
-  </message>
-  <message>
-   <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>{element} 已经标注</translation>
-  </message>
-  <message>
-   <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>不命名</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>这样得分会不同于官方评测所用的标称场地（{nominal}）；得分会注明计算所用的尺寸。</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>各自的尺寸（stadiums.csv）：{stadiums}的{frames}。此处输入的值用于其他所有帧，以及体育场未指定的部分。</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>这样得分会不同于按规则测量处取线的官方评测；得分会注明。</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>规则中许多线以画线的边缘为准。而点击在画线中间，相差半个线宽：在重要之处请选择它，如室内场馆和靠近相机时。</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>由帧只能求出长和宽，而规则已固定此场地的长和宽</translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>按规则测量处</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>画线的中间</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>场地尺寸：{field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>由此数据集估计</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>为此数据集保留</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>标称</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>官方评测所用的场地</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>标称 {nominal:g} m，规则允许 {minimum:g} 至 {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>&lt;b&gt;不可为 {number:g} m：规则允许 {minimum:g} 至 {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个体育场</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>点击位于：</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>保留场地，不再提及这些类别</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>数据集会记住，不再询问</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>否，{field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>此数据集的场地</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>场地描述 (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>这是{field}吗？此处标注的类别属于{field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{why}，但以数据集文件夹中的 {file} 为准</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>是，{field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>切换到{field}</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{problem}；场地保持不变：{field}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m，由 {n} 帧得出。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>由 {n} 帧的相机得出；± 为一个标准差。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>{remark}；保持不变。</translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>盲标：未提交的帧没有参与（{n}）。</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>无法读取的帧没有参与：{n}。</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>规则固定了场地{field}的所有尺寸</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>盲标：提交数据集的一帧后才会查看（Ctrl+回车）。</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>不同相机拍摄同一瞬间的帧为一组。由名称按模式判断：&lt;b&gt;{instant}&lt;/b&gt; 表示帧的拍摄时刻，&lt;b&gt;{view}&lt;/b&gt; 表示相机，其余字符表示其本身。也可用含 &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; 和 &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; 的正则表达式。</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>未找到符合这些名称的模式：请写一个。</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>瞬间</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames}分为 {n:,} 组，每组 {least} 至 {most} 帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{frames}分为 {n:,} 组</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>帧的分组</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个瞬间只有一帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个名称不符合（在表格末尾）</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>此名称不符合模式：该帧单独存在</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>视图分组</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>帧名的模式</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>写出 {file}</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>将这些分组保存在数据集的文件夹中</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>其现有内容及所写的其他一切都会丢失。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个瞬间的{frames}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧，均未分组。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} 已存在：{sizes}。</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} 从现在起将{sizes}分组</translation>
-  </message>
-  <message>
-   <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>结果如何</translation>
-  </message>
-  <message>
-   <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>导入标注</translation>
-  </message>
-  <message>
-   <source>Import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>导入</translation>
-  </message>
-  <message>
-   <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>要导入的标注</translation>
-  </message>
-  <message>
-   <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>查看文件内容</translation>
-  </message>
-  <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>仅限尚未标注的帧</translation>
-  </message>
-  <message>
-   <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>也替换其他帧中的标注</translation>
-  </message>
-  <message>
-   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>原有内容保留在该帧的早期版本中，撤销可恢复</translation>
-  </message>
-  <message>
-   <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>标注</translation>
-  </message>
-  <message>
-   <source>Format</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>格式</translation>
-  </message>
-  <message>
-   <source>Import into</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>导入到</translation>
-  </message>
-  <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>按图片名称匹配帧。</translation>
-  </message>
-  <message>
-   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>标注 (*.json *.xml *.zip);;所有文件 (*)</translation>
-  </message>
-  <message>
-   <source>Export as</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>导出为</translation>
-  </message>
-  <message>
-   <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>一个 zip 压缩包而非文件夹</translation>
-  </message>
-  <message>
-   <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>替换已有文件</translation>
-  </message>
-  <message>
-   <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>保留 SoccerNet 没有类别的元素</translation>
-  </message>
-  <message>
-   <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>线宽</translation>
-  </message>
-  <message>
-   <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>同时复制图片</translation>
-  </message>
-  <message>
-   <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>导出到文件夹</translation>
-  </message>
-  <message>
-   <source>Keeps {holds}.
-Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>保留{holds}。
-丢失{loses}。</translation>
-  </message>
-  <message>
-   <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
-   <translation>取消</translation>
-  </message>
-  <message>
-   <source>Close</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>关闭</translation>
-  </message>
-  <message>
-   <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>文件夹、zip 压缩包或单个文件</translation>
-  </message>
-  <message>
-   <source>File…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>文件…</translation>
-  </message>
-  <message>
-   <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>文件夹…</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation>Zip 压缩包 (*.zip)</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个标注</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧的 JaC</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{source} 由将用于评分的点击得出：请评判要评分的相机（procc-annotator calibrate 可拟合并评分数据集）</translation>
-  </message>
-  <message>
-   <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{annotations}和{scores}</translation>
-  </message>
-  <message>
-   <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>无：没有已标注的帧</translation>
-  </message>
-  <message>
-   <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>Zip 压缩包 (*.zip);;文件夹 (*)</translation>
-  </message>
-  <message>
-   <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>表格 (*.csv);;JSON (*.json)</translation>
-  </message>
-  <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>请先加载相机：没有可评分的内容</translation>
-  </message>
-  <message>
-   <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>盲标：尚未提交任何帧，因此没有可显示的 JaC</translation>
-  </message>
-  <message>
-   <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>已将{what}导出到 {path}</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>未能全部保存：导出的是最近保存的状态</translation>
-  </message>
-  <message numerus="yes">
-   <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>盲标模式排除 {n:,} 个尚未提交的帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个文件无法读取：{problem}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>导出</translation>
-  </message>
-  <message>
-   <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>正在导出 {done} / {total}</translation>
-  </message>
-  <message>
-   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>已将{frames}、{elements}和{points}写入 {path}（{format}）。</translation>
-  </message>
-  <message>
-   <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>未能全部保存：以磁盘上的内容为准。</translation>
-  </message>
-  <message>
-   <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>导出：已取消；已写出的文件仍在</translation>
-  </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>未写出任何内容：没有已标注的帧，或均无法写出。</translation>
-  </message>
-  <message>
-   <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>已取消；已写出的文件仍在。</translation>
-  </message>
-  <message>
-   <source>Not written</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>未写出</translation>
-  </message>
-  <message>
-   <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>该格式无法容纳的内容</translation>
-  </message>
-  <message>
-   <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame} 的拟合已保存为 {path}</translation>
-  </message>
-  <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>没有可保存的相机：拟合尚未就绪</translation>
-  </message>
-  <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>实时拟合已关闭（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏拟合（Ctrl+回车）</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>没有可保存的相机：{why}</translation>
-  </message>
-  <message>
-   <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>正在重新计算拟合：请稍后保存</translation>
-  </message>
-  <message>
-   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame}：图片无法读取，因此相机的像素没有对应的尺寸；未保存</translation>
-  </message>
-  <message>
-   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>已保存为 {path}，但已加载的相机无法重新读取：{problem}</translation>
-  </message>
-  <message>
-   <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{saved}；它难以确定：{why}</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>导入…</translation>
-  </message>
-  <message>
-   <source>Take these annotations in; their files stay as they are</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>导入这些标注；其文件保持不变</translation>
-  </message>
-  <message>
-   <source>Leave them, and say nothing more of them</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>保留原样，不再提及</translation>
-  </message>
-  <message>
-   <source>Annotations of another program lie in this dataset: {format}.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>此数据集中有其他程序的标注：{format}。</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧中已导入 {edited} 帧（{format}）。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>已取消：{n:,} 帧未查看。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧已有标注，保持不变。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧已含相同内容。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>导入</translation>
-  </message>
-  <message numerus="yes">
-   <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧中已导入 {edited} 帧</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>已取消；未导入任何内容。</translation>
-  </message>
-  <message>
-   <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>保持原样</translation>
-  </message>
-  <message>
-   <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>无法读取</translation>
-  </message>
-  <message>
-   <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>此处没有图片（{n}）</translation>
-  </message>
-  <message>
-   <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>已更改或排除</translation>
-  </message>
-  <message>
-   <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>无法保存：{why}</translation>
-  </message>
-  <message>
-   <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>?（保持不变，未知类别）</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>排除</translation>
-  </message>
-  <message>
-   <source>Label</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>标签</translation>
-  </message>
-  <message>
-   <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>形状</translation>
-  </message>
-  <message>
-   <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>代表</translation>
-  </message>
-  <message>
-   <source>Why</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>原因</translation>
-  </message>
-  <message>
-   <source>sure</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>确定</translation>
-  </message>
-  <message>
-   <source>likely</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>可能</translation>
-  </message>
-  <message>
-   <source>to be said</source>
-   <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>待指定</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个标签不是{field}的类别。请指明其含义；建议由其用词和形状所在的元素得出。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>这些名称更像{field}的名称：请先选择该场地（文件 &gt; 场地）。</translation>
-  </message>
-  <message>
-   <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>其他程序的名称</translation>
-  </message>
-  <message>
-   <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>将这些名称保存在数据集中（{file}）</translation>
-  </message>
-  <message>
-   <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>{label} 代表什么</translation>
-  </message>
-  <message>
-   <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>将这些名称加入数据集的 {file}（重新写出）</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>图片</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>视频</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>示例随源代码提供，此处没有</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>您自己的副本，位于 {folder}；可从“相机”菜单加载其相机</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>相机</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>打开图片文件夹</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>打开图片</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>打开视频</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>打开第二位标注者的文件夹</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px，不含图例</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px，过大：请选择更小的比例或 SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>PNG：像素，无损</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>JPEG：像素，体积小</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>SVG：线条和文字始终清晰</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>图片 (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>保存叠加图片</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>结果 px 与图片 px 之比；线条和文字随之增大</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>在图片下方说明颜色、线型和标记</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>类型(&amp;K)</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>比例(&amp;S)</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>结果</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>图例(&amp;L)</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>正在写出叠加图片 {path} …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>请先打开图片</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{path}：就是图片本身，请另选名称</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>叠加图片已写入 {path}</translation>
-  </message>
-  <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>导出总览</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>
-    <numerusform>已将 {n:,} 帧导出到 {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>数据集仍在评分：部分帧尚无 JaC</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>之前在此打开的相机已不存在：{paths}</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>之前在此打开的相机未再次打开：{why}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>取帧间隔</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>每个场景的第一帧</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>在整个视频中寻找剪切点；需要一些时间</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>场地</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>正在读取 {file}</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>正在 {file} 中寻找剪切点</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>本帧已是图片</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>已保留为 {path}</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>不会导出任何内容；“保留此视频帧”可写出图片。</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解锁会向所有标注者显示相机、虚影和拟合。数据集会记录 {author} 解锁及其时间。</translation>
-  </message>
-  <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解锁会向您显示相机、虚影和拟合；对其他人并未锁定。数据集会记录 {author} 解锁及其时间。</translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解除盲标模式</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>解锁并记录</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>保持锁定</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>错误</translation>
-  </message>
-  <message>
-   <source>warning</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>警告</translation>
-  </message>
-  <message>
-   <source>hint</source>
-   <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>提示</translation>
-  </message>
-  <message>
-   <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>检查结果 {place} / {total}，{severity}：{elements}</translation>
-  </message>
-  <message>
-   <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>没有达到“检查”面板所设确定程度的结果</translation>
-  </message>
-  <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>已更改 {n} 个元素的类别</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>已检查 {n:,} 帧，相机模型 {model}：{found}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个已检查的帧</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} 和 {other}</translation>
-  </message>
-  <message>
-   <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>类别检查仍在检查本帧</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>类别检查未发现问题；检查整个数据集以查看所有帧</translation>
-  </message>
-  <message>
-   <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{done}；Ctrl+Z 撤回</translation>
-  </message>
-  <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已移除 {element} 的第 {n} 点</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已互换 {element} 和 {other}</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已将 {element} 改为 {other}</translation>
-  </message>
-  <message>
-   <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>在 {elements} 更改之前忽略；可从“检查”面板恢复</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧无法检查</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>导出检查结果</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>已将{frames}的 {n:,} 项检查结果导出到 {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>类别检查未发现问题</translation>
-  </message>
-  <message>
-   <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>元素此后已更改：已重新检查</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已移除 {element} 的点</translation>
-  </message>
-  <message>
-   <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>请先转到一项检查结果（F10）</translation>
-  </message>
-  <message>
-   <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已停止检查数据集；已发现的结果保留</translation>
-  </message>
-  <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>类别检查在本帧未发现问题</translation>
-  </message>
-  <message>
-   <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>未发现问题</translation>
-  </message>
-  <message>
-   <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>没有已知的修复：{reason}</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>没有其他被退回的帧</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>{frame} 为“{status}”</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>本帧之后的所有帧均已完成或批准</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>本帧之前的所有帧均已完成或批准</translation>
-  </message>
-  <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>盲标模式排除未提交帧的 {n} 项</translation>
-  </message>
-  <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{frame}：不再有对 {source} 的判定</translation>
-  </message>
-  <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>判定备注</translation>
-  </message>
-  <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>这里有什么问题：</translation>
-  </message>
-  <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>导出判定</translation>
-  </message>
-  <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>盲标：没有已提交的帧有判定</translation>
-  </message>
-  <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>尚无帧有判定：请先标记一个</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>已将 {n:,} 项判定导出到 {path}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>判定针对帧和相机：请先加载相机</translation>
-  </message>
-  <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏相机（Ctrl+回车）</translation>
-  </message>
-  <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>请先标记本帧：相机错误、标注错误或无误</translation>
-  </message>
-  <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>未能全部保存：数字为最近保存的状态</translation>
-  </message>
-  <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} 随点击而变：判定针对加载的相机</translation>
-  </message>
-  <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} 在此计算得出：判定针对加载的相机</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>恢复早期版本</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>已恢复早期版本；撤销可再次取消</translation>
-  </message>
-  <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>较早的版本已恢复；无法读取的内容保留为一个版本</translation>
-  </message>
-  <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>该帧已在别处更改：请查看后再恢复</translation>
-  </message>
-  <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>本帧没有早期版本。</translation>
-  </message>
-  <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>与现在相比：{changes}。不同之处：{elements}。</translation>
-  </message>
-  <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>无法读取</translation>
-  </message>
-  <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>空</translation>
-  </message>
-  <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>与现在相同</translation>
-  </message>
-  <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>元素不同</translation>
-  </message>
-  <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>点有移动</translation>
-  </message>
-  <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>这是本帧现在的内容。</translation>
-  </message>
-  <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>与现在相比：点相同，元素顺序不同。</translation>
-  </message>
-  <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>早期版本</translation>
-  </message>
-  <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>恢复</translation>
-  </message>
-  <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>%Y-%m-%d %H:%M:%S</translation>
-  </message>
-  <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>另外 {n} 个</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>第 {place} / {total}，最差在前：JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>第 {place} / {total}，最差在前：最大误差 {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>第 {place} / {total}，最差在前：分歧中位数 {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>尚无 JaC：请先加载相机</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>没有可前往的已评分帧</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>正在数据集上比较 {source} 与 {other}</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>需要两个源才能看出分歧：请加载更多相机（Ctrl+L）</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} 和 {other} 在任何帧中都无法在地面上比较</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>已停止比较各源</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>这是最差的；再按一次继续</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>没有其他已评分的帧</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>重新从最差的开始</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>没有可前往的已评分帧：盲标模式只显示已提交的帧</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>已有两个源正在比较</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{source} 和 {other} 已比较</translation>
-  </message>
-  <message>
-   <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>此时已标注</translation>
-  </message>
-  <message>
-   <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>此后已编辑</translation>
-  </message>
-  <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>没有可接受的帧：请先跟踪镜头（T）；存疑的帧和已标注的帧除外</translation>
-  </message>
-  <message>
-   <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>盲标模式：未点击的内容一律不接受</translation>
-  </message>
-  <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>正在沿跟踪寻找画线：{done} / {total} 帧</translation>
-  </message>
-  <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>已沿跟踪接受 {n:,} 帧</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Ctrl+Z 撤回</translation>
-  </message>
-  <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>已撤回：{n:,} 个沿跟踪接受的帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>
-    <numerusform>保留 {n:,} 帧：{why}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>正在沿跟踪寻找画线</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>未接受任何帧：{why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>接受跟踪</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>撤回跟踪</translation>
-  </message>
-  <message>
-   <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>没有可撤回的已接受内容</translation>
-  </message>
-  <message>
-   <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>已撤回：不接受任何帧</translation>
-  </message>
-  <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>未接受任何帧：可见的线太少</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>已跟踪 {n:,} 帧，其中 {doubtful:,} 帧存疑（Alt+PgDown）；Ctrl+Shift+回车接受确定的帧</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>正在跟踪：{done} / {total} 帧  ·  T 停止</translation>
-  </message>
-  <message numerus="yes">
-   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>
-    <numerusform>已跟踪 {n:,} 帧，全部确定；Ctrl+Shift+回车接受确定的帧</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>正在寻找镜头的两端 …  T 停止</translation>
-  </message>
-  <message>
-   <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>无法跟踪镜头：{why}</translation>
-  </message>
-  <message>
-   <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>只有视频或连续的帧才能跟踪</translation>
-  </message>
-  <message>
-   <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>盲标模式：不跟踪镜头，否则会看到其相机</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>镜头中没有确定相机的帧：请标注一帧后再跟踪</translation>
-  </message>
-  <message>
-   <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>已停止；目前的跟踪结果保留</translation>
-  </message>
-  <message>
-   <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>已停止；未跟踪任何内容</translation>
-  </message>
-  <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>本帧之后没有已标注的帧</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>本帧之后没有存疑的帧</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>本帧之前没有存疑的帧</translation>
-  </message>
-  <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>盲标模式：隐藏跟踪的好坏</translation>
-  </message>
-  <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>尚未跟踪任何镜头（T）</translation>
-  </message>
-  <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>这些帧并不连续</translation>
-  </message>
-  <message>
-   <source>Jaccard index of this frame at tau</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>本帧在 tau 下的 Jaccard 指数</translation>
-  </message>
-  <message>
-   <source>The camera set that is judged (C switches)</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>被评判的相机集（按 C 切换）</translation>
-  </message>
-  <message>
-   <source>What the score is computed with: {terms}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>得分的计算条件：{terms}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>拟合的 &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;盲标&lt;/b&gt;：提交后可见 JaC</translation>
-  </message>
-  <message>
-   <source>Three steps to a frame</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>三步完成一帧</translation>
-  </message>
-  <message>
-   <source>Click the two ends of a painted line, then Enter</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>点击一条画线的两端，然后按回车</translation>
-  </message>
-  <message>
-   <source>{keys}: points along every line, on its paint</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}：沿每条线在画线上取点</translation>
-  </message>
-  <message>
-   <source>{keys}, then Enter: take what the camera expects</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}，然后按回车：采用相机所预期的</translation>
-  </message>
-  <message>
-   <source>Put the three steps away for ever (Help has the user guide)</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>永久收起三个步骤（用户指南在“帮助”中）</translation>
-  </message>
-  <message>
-   <source>Put the three steps away</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>收起三个步骤</translation>
-  </message>
-  <message>
-   <source>{step}, done</source>
-   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{step}，已完成</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <translation>{title}，未确认</translation>
   </message>
   <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
@@ -6666,9 +6254,29 @@ Loses {loses}.</source>
    <translation>回车执行 · ↑ ↓ 选择 · Esc 关闭</translation>
   </message>
   <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>面板</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>设置</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>打开</translation>
+  </message>
+  <message>
    <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>没有名为“{text}”的内容。</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>第 {number} 帧，共 {count} 帧</translation>
   </message>
   <message>
    <source>An action, element, frame, camera source, folder, number</source>
@@ -6684,6 +6292,51 @@ Loses {loses}.</source>
    <source>What fits</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>匹配项</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>前往此帧</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>评判 {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>用此源评判</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>实时拟合：模型 {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>用此模型拟合点击；auto 采用点击所能支持的最简模型</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>面板 {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>打开此面板并置于最前</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>阈值 {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>用此 tau 评判元素</translation>
   </message>
   <message>
    <source>on</source>
@@ -6728,139 +6381,6 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>请加载第二组相机以进行比较（Ctrl+L）</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title} 的虚影</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>接受</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>近看</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
-   <translation>此处不可见</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>正在绘制 {title}</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>在此分割：其余部分变为</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>此处不可见：撤回</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>更改类别为（与已标注的互换）</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title} 的点 {number}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>合并到</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>{title}，未确认</translation>
-  </message>
-  <message>
-   <source>Annotate</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>标注</translation>
-  </message>
-  <message>
-   <source>Judge</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>评判</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <comment>desk</comment>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>审核</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
-   <translation>工作台</translation>
-  </message>
-  <message>
-   <source>Scores</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>得分</translation>
-  </message>
-  <message>
-   <source>Fit</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>拟合</translation>
-  </message>
-  <message>
-   <source>Check</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>检查</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
-   <translation>图表</translation>
-  </message>
-  <message>
-   <source>Review</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>审核</translation>
-  </message>
-  <message>
-   <source>Agreement</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>一致性</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>打开图片下方的图表</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation>关闭图表</translation>
-  </message>
-  <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>意外错误（{what}）；保存照常进行，详细信息在 {path}</translation>
-  </message>
-  <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>详细信息已复制；也在 {path}</translation>
-  </message>
-  <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
-   <translation>没有发生意外错误；错误记录在 {path}</translation>
-  </message>
-  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>在本页查找</translation>
@@ -6881,133 +6401,128 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>标题</translation>
   </message>
   <message>
-   <source>{one} or {other}</source>
-   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
-   <translation>{one} 或 {other}</translation>
-  </message>
-  <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>在图片中</translation>
-  </message>
-  <message>
-   <source>Keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
-   <translation>按键</translation>
-  </message>
-  <message>
-   <source>Search: a word, or a key. A click does what a row says.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>搜索：词或按键。点击某行即执行。</translation>
-  </message>
-  <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>搜索按键</translation>
-  </message>
-  <message>
-   <source>Actions and their keys</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>操作及其按键</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>没有含“{text}”的按键、操作或元素。</translation>
-  </message>
-  <message>
-   <source>Choose an element</source>
-   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>选择元素</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>自定义按键</translation>
   </message>
   <message>
    <source>Keys (*.json)</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>按键 (*.json)</translation>
   </message>
   <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>在图片中</translation>
+  </message>
+  <message>
    <source>{menu}: {action}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}：{action}</translation>
   </message>
   <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>搜索：词或按键。点击某行即执行。</translation>
+  </message>
+  <message>
    <source>Search: a word, or a key</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>搜索：词或按键</translation>
   </message>
   <message>
    <source>Choose a row, then press its keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>选择一行，然后按下其按键</translation>
   </message>
   <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>{one} 或 {other}</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py, the action keys]</extracomment>
+   <translation>按键</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>搜索按键</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>没有含“{text}”的按键、操作或元素。</translation>
+  </message>
+  <message>
    <source>Change keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>更改按键</translation>
   </message>
   <message>
    <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>搜索</translation>
   </message>
   <message>
    <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>一次设置所有按键</translation>
   </message>
   <message>
    <source>Only these</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>仅这些</translation>
   </message>
   <message>
    <source>No keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>无按键</translation>
   </message>
   <message>
    <source>Usual keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>默认按键</translation>
   </message>
   <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>导入…</translation>
+  </message>
+  <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ 对应两个操作的按键都不起作用：请为其中之一设置其他按键。</translation>
   </message>
   <message>
    <source>Export keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>导出按键</translation>
   </message>
   <message>
    <source>Import keys</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>导入按键</translation>
   </message>
   <message>
    <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>⚠ 还有：{what}</translation>
   </message>
   <message>
    <source>New keys: press them here</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>新按键：在此按下</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>{file}：{error}；按键保持不变</translation>
   </message>
   <message>
    <source>Action or element</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>操作或元素</translation>
   </message>
   <message>
@@ -7016,103 +6531,24 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>{action}：{step}</translation>
   </message>
   <message>
-   <source>Panel</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>面板</translation>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>意外错误（{what}）；保存照常进行，详细信息在 {path}</translation>
   </message>
   <message>
-   <source>Setting</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>设置</translation>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>详细信息已复制；也在 {path}</translation>
   </message>
   <message>
-   <source>Open</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>打开</translation>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>没有发生意外错误；错误记录在 {path}</translation>
   </message>
   <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>第 {number} 帧，共 {count} 帧</translation>
-  </message>
-  <message>
-   <source>Go to this frame</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>前往此帧</translation>
-  </message>
-  <message>
-   <source>Judge {source}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>评判 {source}</translation>
-  </message>
-  <message>
-   <source>Judge with this source</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>用此源评判</translation>
-  </message>
-  <message>
-   <source>Live fit: model {model}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>实时拟合：模型 {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>用此模型拟合点击；auto 采用点击所能支持的最简模型</translation>
-  </message>
-  <message>
-   <source>Panel {title}</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>面板 {title}</translation>
-  </message>
-  <message>
-   <source>Open this panel and bring it to the front</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>打开此面板并置于最前</translation>
-  </message>
-  <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>阈值 {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>用此 tau 评判元素</translation>
-  </message>
-  <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>工具栏</translation>
-  </message>
-  <message>
-   <source>Picture
-Brightness, contrast, gamma, line enhance: only what you see changes</source>
-   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
-   <translation>图片
-亮度、对比度、伽马、线条增强：只改变您所看到的</translation>
-  </message>
-  <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>已保存 {time}</translation>
-  </message>
-  <message numerus="yes">
-   <source>NOT SAVED: {n} frames</source>
-   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>
-    <numerusform>未保存：{n} 帧</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>saving...</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>正在保存...</translation>
-  </message>
-  <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
-   <translation>无更改</translation>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
+   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
   </message>
   <message>
    <source>Search the settings</source>
@@ -7180,43 +6616,72 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   </message>
   <message>
    <source>scoring {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>评分 {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Camera &gt; Stop scoring the set ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>“相机 &gt; 停止为数据集评分”可结束</translation>
   </message>
   <message>
    <source>comparing {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>比较 {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>ghosts {done:,} / {total:,}</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>虚影 {done:,} / {total:,}</translation>
   </message>
   <message>
    <source>Esc ends it</source>
-   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Esc 结束</translation>
   </message>
   <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>工具栏</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>图片
+亮度、对比度、伽马、线条增强：只改变您所看到的</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>本帧在 tau 下的 Jaccard 指数</translation>
+  </message>
+  <message>
    <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>阈值 tau：元素的所有点都更近时即通过（+ 和 -）</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
-   <translation>阈值 tau</translation>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>已保存 {time}</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
-   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>被评判的相机集（按 C 切换）</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>得分的计算条件：{terms}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>
+    <numerusform>未保存：{n} 帧</numerusform>
+   </translation>
   </message>
   <message>
    <source>Top bar</source>
@@ -7237,6 +6702,36 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>点击以选择其他</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>阈值 tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>拟合的 &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>正在保存...</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;盲标&lt;/b&gt;：提交后可见 JaC</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>无更改</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -7284,9 +6779,67 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>尚未打开任何内容</translation>
   </message>
   <message>
-   <source>unexpected error ({what})</source>
-   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>意外错误（{what}）</translation>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>得分</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>拟合</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>检查</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py, the action plots]</extracomment>
+   <translation>图表</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>审核</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>一致性</translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>标注</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>评判</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>审核</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>打开图片下方的图表</translation>
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>关闭图表</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>工作台</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -8580,16 +8133,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>查看本帧所有保存的版本并恢复其中之一</translation>
   </message>
   <message>
-   <source>Overview of the set…</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>数据集总览…</translation>
-  </message>
-  <message>
-   <source>Counts per status and class, progress, time per frame</source>
-   <extracomment>[the action overview]</extracomment>
-   <translation>各状态和类别的数量、进度、每帧用时</translation>
-  </message>
-  <message>
    <source>Group views…</source>
    <extracomment>[the action group_views]</extracomment>
    <translation>视图分组…</translation>
@@ -9033,6 +8576,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>颜色表示相机的评判结果</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
+   <translation>类别</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>
