@@ -522,7 +522,7 @@ class TestDisagreement:
         bad = named(audited, "bad")
         shown = SourceFrame(camera=ElementProjections({}), model="projections")
         services.source_frames.put(bad.camera_set, services.state.frame.name, shown)
-        services.disagreement.look()
+        services.disagreement.invalidate()
         assert "no ground to compare" in services.disagreement.problem
         assert services.disagreement.problem.startswith("bad shares only")
 

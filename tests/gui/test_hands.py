@@ -290,7 +290,7 @@ class TestRegularise:
         before = on_pitch.services.state.annotation
         clicks.key(Qt.Key.Key_R, SHIFT)
         clicks.key(*key)
-        assert "taken back" in on_pitch.services.state.told.text
+        assert "taken back" in on_pitch.status.hint.text_for(2000)
         all_done(qtbot)
         assert on_pitch.services.state.annotation == before
         clicks.key(Qt.Key.Key_Z, CTRL)  # and this takes back the last step

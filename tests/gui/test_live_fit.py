@@ -148,7 +148,7 @@ class TestFit:
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         fitted.close()
         go.set()
-        services.live_fit.look()
+        services.live_fit.invalidate()
         assert not services.live_fit.working
         let_work_end(qtbot)
         assert services.live_fit.insight is None
@@ -251,7 +251,7 @@ class TestBugs:
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         arrive(fitted, qtbot)
 
-    def test_clicks_made_while_a_fit_failed_are_fitted(self, fitted, qtbot, monkeypatch, bugs):
+    def test_clicks_made_while_a_fit_failed_are_fitted(self, fitted, qtbot, monkeypatch):
         services, go = fitted.services, threading.Event()
         begun: list[FrameAnnotation] = []
 
@@ -268,7 +268,6 @@ class TestBugs:
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         go.set()
         assert arrive(fitted, qtbot).annotation is services.state.annotation
-        assert len(bugs) == 1
 
 
 class TestSource:

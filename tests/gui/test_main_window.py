@@ -148,6 +148,7 @@ class TestCameras:
         assert window.top_bar.camera_bar.tau.spin.value() == 2.0
         assert window.top_bar.camera_bar.tau.slider.value() == 20
         assert window.services.scorer.score.tp == 0
+        QApplication.processEvents()
         assert window.top_bar.camera_bar.jac.text() != jac
         QTest.keyClick(window.canvas, Qt.Key.Key_Plus)
         assert window.services.state.tau == 2.5
@@ -430,7 +431,7 @@ def test_keys_draw_again_after_a_click_in_the_list_of_frames(window, hand):
     assert window.canvas.hasFocus()
 
 
-def test_long_titles_of_elements_are_cut_in_their_middle(window):
+def test_long_titles_of_elements_are_cut_in_their_middle(window, qtbot):
     status, services = window.status, window.services
     title = (
         "Far touchline of the pitch that was repainted beside the old athletics track, number 20"
@@ -441,6 +442,7 @@ def test_long_titles_of_elements_are_cut_in_their_middle(window):
     services.evaluation.set_field(replace(field, elements=(*others, far)))
     services.selection.select_class(far.name)
     figures = [status.pixels.geometry(), status.metres.geometry()]
+    qtbot.waitUntil(lambda: "DRAW Far touch" in status.hint.text_for(2000))
     for name in (title, "Near touchline"):
         status.tell(f"removed point 2 of {name}, 3 are left")
         QApplication.processEvents()

@@ -74,7 +74,7 @@ def test_a_file_without_elements_counts_as_it_does_for_evaluate(make_window, ann
     assert evaluated(annotated)["00003"] == 0.0
     assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
     window.services.navigator.go_to(2)
-    assert "0.000" in window.top_bar.camera_bar.jac.text()
+    qtbot.waitUntil(lambda: "0.000" in window.top_bar.camera_bar.jac.text())
 
 
 def change(path: Path, keep: int) -> None:
@@ -101,7 +101,7 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     (annotated / "00006.json").unlink()
     services.editing.look_at_frame()
     assert not services.state.annotation.annotated
-    assert "nothing annotated" in audited.top_bar.camera_bar.jac.text()
+    qtbot.waitUntil(lambda: "nothing annotated" in audited.top_bar.camera_bar.jac.text())
     change(annotated / "00002.json", 2)  # it was on screen already
     services.navigator.go_to(1)
     assert len(services.state.annotation.annotated) == 2
@@ -194,17 +194,17 @@ def test_a_frame_that_no_figure_counts_has_no_score(audited, annotated, hand_on,
     audited.panels.show("scores")
     services.navigator.go_to(4)
     assert services.scorer.score is not None  # its projection is drawn all the same
-    assert "–" in judged.jac.text()
+    qtbot.waitUntil(lambda: "–" in judged.jac.text())
     assert "nothing annotated yet" in judged.jac.text()
     scores = audited.scores
     qtbot.waitUntil(lambda: "nothing annotated yet" in scores.empty.text())
     assert scores.empty.isVisible()
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
-    assert "–" not in judged.jac.text()
+    qtbot.waitUntil(lambda: "–" not in judged.jac.text())
     qtbot.waitUntil(lambda: not scores.empty.isVisible())
     (annotated / "00003.json").write_text("{")
     services.navigator.go_to(2)
-    assert "annotation cannot be read" in judged.jac.text()
+    qtbot.waitUntil(lambda: "annotation cannot be read" in judged.jac.text())
     qtbot.waitUntil(lambda: "annotation cannot be read" in scores.empty.text())
 
 

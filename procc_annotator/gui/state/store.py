@@ -77,6 +77,20 @@ class _Watch:
         return True
 
 
+class _Current:
+    """Invalidates a computed value, whose inputs may depend on more than the state."""
+
+    def __init__(self, value: ComputedValue[Any], when: When) -> None:
+        self._value, self.when = value, when
+
+    def check(self, state: State) -> bool:
+        """Invalidate; return False once the value is deleted."""
+        if not shiboken6.isValid(self._value):
+            return False
+        self._value.invalidate()
+        return True
+
+
 class Store(QObject):
     """Holds the state. Commands replace it with `update`; `watch` notifies of what differs.
 
@@ -95,7 +109,7 @@ class Store(QObject):
         self.score: Callable[[State, State], object] = lambda before, after: None
         self._state = self._scored = self._notified = state
         self._selections: dict[Callable[[State], object], _Selection] = {}
-        self._watches: list[_Watch] = []
+        self._watches: list[_Watch | _Current] = []
         self._transactions = 0
         self._notifying = False
         self._only_gesture = True  # since all watches were checked
@@ -173,7 +187,7 @@ class Store(QObject):
     ) -> None:
         """Invalidate a computed value whenever its inputs differ: after a change of the state, and
         after signals of what is no part of the state."""
-        self.watch(lambda _: value.inputs(), value.invalidate, when)
+        self._watches.append(_Current(value, when))
         for signal in signals:
             signal.connect(value.invalidate)
 
