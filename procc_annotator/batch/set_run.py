@@ -112,9 +112,8 @@ class SetRun(Generic[F, R, S]):
                 yield self.task(chunk)
 
     def _digest(self, chunk: Sequence[F]) -> str:
-        """Return what distinguishes this chunk's work from any other: its frames, and what their
-        files
-        hold."""
+        """Return a digest of the frames of this chunk and of the contents of their files; only runs
+        that keep checkpoints have one."""
         raise NotImplementedError
 
     def _sums_of(self, results: Sequence[R]) -> S:

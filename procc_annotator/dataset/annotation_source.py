@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -60,18 +61,15 @@ def open_annotations(
         InputError: what is there cannot be opened or listed, or none of it can be read; or the
             dataset's own ``labels.toml`` cannot be used.
     """
-    source = open_files(path, base)
     place = path if base is None else base / path
-    names = names or own_label_map(place, field)
-    try:
-        told = [known.name for known in detect_formats(source)]
-        if not told or (PLAIN in told and names is None):
+    with ExitStack() as opened:
+        source = opened.enter_context(open_files(path, base))
+        names = names or own_label_map(place, field)
+        formats = [known.name for known in detect_formats(source)]
+        if not formats or (PLAIN in formats and names is None):
+            opened.pop_all()  # it stays open
             return source
         found = _read(source, place, field, names)
-    except BaseException:
-        source.__exit__()
-        raise
-    source.__exit__()
     if not found.frames:
         raise next(iter(found.unread.values()), _nothing_in(path, found))
     return ReadSource(path, found, names, partial(open_annotations, path, field, names))

@@ -251,7 +251,7 @@ class TestBugs:
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         arrive(fitted, qtbot)
 
-    def test_clicks_made_while_a_fit_failed_are_fitted(self, fitted, qtbot, monkeypatch):
+    def test_clicks_made_while_a_fit_failed_are_fitted(self, fitted, qtbot, monkeypatch, bugs):
         services, go = fitted.services, threading.Event()
         begun: list[FrameAnnotation] = []
 
@@ -268,6 +268,7 @@ class TestBugs:
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.004))
         go.set()
         assert arrive(fitted, qtbot).annotation is services.state.annotation
+        assert len(bugs) == 1
 
 
 class TestSource:

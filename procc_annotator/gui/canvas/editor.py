@@ -444,6 +444,8 @@ class Editor(QObject):
         if reaction.handled:
             with self._services.store.transaction():
                 self._take(reaction)
+            if reaction.cancelled:
+                self._look_under()  # what was dragged is back at its place
 
     def _take(self, reaction: Reaction) -> None:
         """In an order in which indices of points are valid."""

@@ -210,11 +210,13 @@ class Job:
 
     def _deliver(self) -> None:
         self._deliver_progress()
+        future = self._begin()
+        error = None if future.cancelled() else future.exception()
         if not self._needed():
+            if error is not None and not isinstance(error, (ProccError, Stopped)):
+                sys.excepthook(type(error), error, error.__traceback__)  # a bug is a bug
             return
         self._delivered = True
-        future = self._begin()
-        error = future.exception()
         if error is None:
             self._on_result(future.result())
         elif isinstance(error, ProccError) and self._on_error is not None:

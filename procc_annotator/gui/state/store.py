@@ -213,25 +213,27 @@ class Store(QObject):
                 self._round(When.GESTURE if self._only_gesture else When.NOW)
 
     def _round(self, when: When) -> None:
-        """Check the watches that are due; if some fail, the others are checked all the same."""
+        """Compute the scores, then check the watches that are due."""
         before, self._scored = self._scored, self._state
         if before is not self._state:
             self.score(before, self._state)
         self._notified = self._state
         if when is not When.GESTURE:
             self._only_gesture = True
-        due, errors = _DUE[when], []
-        for watch in tuple(self._watches):
-            if watch.when in due:
-                try:
-                    if not watch.check(self._state):
-                        self._watches.remove(watch)
-                except Exception as error:  # noqa: BLE001 - raised below
-                    errors.append(error)
-        if len(errors) == 1:
-            raise errors[0]
-        if errors:
-            raise ExceptionGroup("several callbacks failed", errors)  # not shown
+        due = _DUE[when]
+        self._check(iter([watch for watch in self._watches if watch.when in due]))
+
+    def _check(self, watches: Iterator[_Watch | _Current]) -> None:
+        """Check each watch; if one fails, the rest is checked before its error is raised."""
+        finished = False
+        try:
+            for watch in watches:
+                if not watch.check(self._state):
+                    self._watches.remove(watch)
+            finished = True
+        finally:
+            if not finished:
+                self._check(watches)
 
     def _end_round(self) -> None:
         self._notifying = False
