@@ -18,6 +18,7 @@ from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.element_states import ElementState, element_states
 from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
+from procc_annotator.gui.settings import SWITCHES, Settings
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from procc_annotator.report.overlay_scene import OverlayLook
 from tests.gui.conftest import Hand, all_done, heard, settle
@@ -475,3 +476,9 @@ def test_the_picture_stands_in_a_frame_while_blind(blind, qtbot):
     blind.services.blind_lock.set_blind(False)
     assert not any(part.isVisible() for part in (*edges, badge))
     assert blind.canvas.to_picture(QPointF(100, 100)) == before  # nothing has moved
+
+
+def test_blind_mode_outlives_a_program_that_is_killed(window, qtbot):
+    for blind in (True, False):
+        window.actions_["blind"].trigger()
+        qtbot.waitUntil(lambda on=blind: Settings().get(SWITCHES["blind"]) is on)

@@ -14,7 +14,6 @@ from procc_annotator.dataset.records import default_author
 from procc_annotator.gui import settings as rows
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
-from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import set_text_size, set_theme
@@ -55,11 +54,8 @@ class BoundSettings:
             "live_fit": lambda: services.live_fit.chosen,
         }
         # A program that is killed loses no choice, least of all blind mode.
-        services.store.watch(
-            lambda s: (select.mode(s), s.tau, s.setup.protocol, s.setup.off_plane),
-            self.write_down,
-            When.AFTER_PAINT,
-        )
+        store = services.store
+        store.watch(lambda s: (s.options, s.blind), self.write_down, When.AFTER_PAINT)
 
     def value(self, setting: Setting[T]) -> T:
         """Return what holds now."""
