@@ -100,8 +100,8 @@ def show(qtbot) -> Callable[[QWidget], None]:
     def shown(widget: QWidget) -> None:
         qtbot.addWidget(widget)
         widget.resize(420, 480)
-        widget.show()
-        qtbot.waitExposed(widget)
+        with qtbot.waitExposed(widget):
+            widget.show()
 
     return shown
 
@@ -279,8 +279,8 @@ def test_the_protocol_is_chosen_here(qtbot, judged, show):
     show(panel)
     show(scores)
     combo = panel.findChild(QComboBox, "cameras_protocol")
-    combo.setFocus()
-    qtbot.keyClick(combo, Qt.Key.Key_Down)
+    combo.setCurrentIndex(combo.findData("procc"))
+    combo.activated.emit(combo.currentIndex())  # as choosing in its list does
     assert judged.state.setup.protocol == "procc"
     qtbot.waitUntil(lambda: scores.terms.text().startswith("procc"))
 

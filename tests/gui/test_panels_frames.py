@@ -42,8 +42,8 @@ def panel(qtbot, services) -> FramesPanel:
     panel = FramesPanel(services, services.cache)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     return panel
 
 
