@@ -21,7 +21,7 @@ from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings, take_up
 from procc_annotator.gui.state.background import LatestOnlyTask
-from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.editing.outside_changes import FileWatch
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 

@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.state.messages import Message, Notice
+from procc_annotator.gui.state.messages import Message
+from procc_annotator.gui.state.state import Notice
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
 

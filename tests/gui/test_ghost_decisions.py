@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.dataset.editing import delete_point
-from procc_annotator.gui.commands.elements import ghost_accepting
+from procc_annotator.gui.commands import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.interaction.overlay_predictions import ghost_extent

@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.records import OriginKind, Status
-from procc_annotator.gui.commands.review.versions import apply_version
+from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.report.window_tables import overview_rows
 from tests.gui.conftest import all_done, until_kept

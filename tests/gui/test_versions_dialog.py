@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDialog, QLabel
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.review.versions import (
+from procc_annotator.gui.commands.versions import (
     VersionRow,
     VersionsDialog,
     comparison,

@@ -21,7 +21,7 @@ from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.checking.line_pixels import Evidence
+from procc_annotator.gui.state.checking.label_check import Evidence
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.interaction import palette as tones

@@ -1,15 +1,18 @@
 """Maps over picture and field, computed in the background: disagreement of two cameras, visible
-field, uncertainty of the fit, painted line widths."""
+field, uncertainty of the fit, painted line widths.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QPainterPath, QPolygonF
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.prediction.uncertainty import (
     GroundUncertainty,
     map_ground_uncertainty,
@@ -21,29 +24,95 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.map_shapes import (
-    MapShapes,
-    map_shapes,
-    shapes_in_picture,
-    shapes_on_field,
-)
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.review_state import BlindLock
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.store import Store, When
-from procc_annotator.interaction.camera_view import UNCERTAINTY, VisibleField, visible_field
+from procc_annotator.interaction.camera_view import (
+    DISAGREEMENT,
+    UNCERTAINTY,
+    MapStyle,
+    VisibleField,
+    visible_field,
+)
 from procc_annotator.metrics.error_maps import (
+    ContourBand,
     Disagreement,
     bilinear_value,
+    contour_lines,
     disagreement,
     filled_contours,
 )
 from procc_annotator.metrics.projection import ProjectedField, project_markings
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr
+
+
+@dataclass(frozen=True, eq=False)
+class MapShapes:
+    """A map as shapes of Qt, in one frame of coordinates; not to be changed.
+
+    Attributes:
+        look: what they are painted with.
+        bands: between each two levels.
+        lines: (N, 4) of each of the look's lines, segment by segment.
+        area: as far as the map reaches; None where its shapes end there by themselves.
+    """
+
+    look: MapStyle
+    bands: tuple[QPainterPath, ...]
+    lines: tuple[FloatArray, ...]
+    area: QPainterPath | None = None
+
+
+def map_shapes(
+    look: MapStyle,
+    values: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    area: ContourBand | None = None,
+) -> MapShapes:
+    """The shapes of a map; safe from any thread, and too slow for that of the interface.
+
+    Args:
+        values, x, y: as for `metrics.error_maps.filled_contours`.
+        area: nothing is painted outside.
+    """
+    return MapShapes(
+        look,
+        tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
+        tuple(segments(contour_lines(values, x, y, line.metres)) for line in look.lines),
+        None if area is None else _path(area),
+    )
+
+
+def shapes_in_picture(found: Disagreement) -> MapShapes:
+    """The shapes of a disagreement in px of the evaluation size."""
+    return map_shapes(DISAGREEMENT, found.metres, found.xs_px, found.ys_px)
+
+
+def shapes_on_field(found: Disagreement) -> MapShapes:
+    """Its shapes in metres of the field, where the first camera sees the ground."""
+    ground = found.ground_a
+    return map_shapes(DISAGREEMENT, found.metres, ground[..., 0], ground[..., 1])
+
+
+def segments(lines: Iterable[FloatArray]) -> FloatArray:
+    """(N, 4) the segments x, y, x, y of polylines (n, 2), one after the other."""
+    pieces = [np.hstack((line[:-1], line[1:])) for line in lines]
+    return np.concatenate(pieces) if pieces else np.empty((0, 4))
+
+
+def _path(band: ContourBand) -> QPainterPath:
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.OddEvenFill)
+    for outlines in band.polygons:
+        for outline in outlines:
+            path.addPolygon(QPolygonF([QPointF(u, v) for u, v in outline.tolist()]))
+    return path
+
 
 _SAME_M = 1e-6
 

@@ -1,15 +1,4 @@
-"""Status, comments, time and provenance of the dataset's frames, as the window sees them.
-
-Signals, and what they say:
-
-=================  ==============================================================================
-statusChanged      a frame's status, comments, verdicts or time (its name), or of all frames ("")
-originsChanged     how the points of the frame on screen came to be
-notVisibleChanged  which elements of a frame were said not to be visible (its name); of another
-                   window's doing only for the frame on screen
-settingChanged     what the dataset was given under a key, here or by another window (the key)
-=================  ==============================================================================
-"""
+"""Review data of the dataset's frames (status, comments, time, provenance), and its blind lock."""
 
 from __future__ import annotations
 
@@ -34,12 +23,19 @@ from procc_annotator.dataset.records import (
     place_by_name,
 )
 from procc_annotator.dataset.review import (
+    LOCK_SETTING,
     BlindCommit,
+    LockEvent,
     content_of,
+    lock_of,
     read_commit,
+    read_events,
     setting_of,
     write_commit,
+    write_events,
 )
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
@@ -57,10 +53,10 @@ class ReviewState(QObject):
     """Review data of the workspace database: status, comments, time, origins, kept current with
     edits and other windows."""
 
-    statusChanged = Signal(str)
-    originsChanged = Signal()
-    notVisibleChanged = Signal(str)
-    settingChanged = Signal(str)
+    statusChanged = Signal(str)  # status, comments, verdicts or time of a frame, or of all ("")
+    originsChanged = Signal()  # how the points of the frame on screen came to be
+    notVisibleChanged = Signal(str)  # frame; of another window's doing only that on screen
+    settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
     failed = Signal(str)  # one line, told once per reason
 
     def __init__(
@@ -353,3 +349,116 @@ class ReviewState(QObject):
         for line in filter(None, self._told):
             if line not in before:
                 self.failed.emit(line)
+
+
+class BlindLock(QObject):
+    """Forces blind mode on while the dataset on screen is locked to it.
+
+    Attributes:
+        wanted: the annotator's own choice, which counts where there is no lock.
+    """
+
+    refused = Signal()  # leaving blind mode was refused: switches show the present state again
+
+    def __init__(self, store: Store, review: ReviewState) -> None:
+        super().__init__(store)
+        self._store, self._review = store, review
+        self.wanted = False
+        self._locking = False  # this window does it, and says so itself
+        review.settingChanged.connect(self._take)
+        review.statusChanged.connect(self._take_committed)
+
+    @property
+    def lock(self) -> LockEvent | None:
+        """The lock of the dataset on screen."""
+        return self._store.state.blind_lock
+
+    @property
+    def reason(self) -> str:
+        """Return who locked the dataset and when, in words; empty when no one did. It may begin
+        with a name, which is written as its owner writes it."""
+        return self._said(lock) if (lock := self.lock) is not None else ""
+
+    @property
+    def no_fit(self) -> str:
+        """Why there is no live fit whatever a person wants; empty when there may be one."""
+        if not (reason := self.reason):
+            return ""
+        return tr("{reason}: there is no live fit in it", reason=reason)
+
+    def of_dataset(self) -> dict[str, object]:
+        """Return the state fields of the dataset that the review database belongs to."""
+        return {**self._of_lock(), "committed": self._review.committed_frames()}
+
+    def set_blind(self, blind: bool) -> None:
+        """Hide everything of the camera until the frame is committed, or show it again unless the
+        dataset is locked to blind mode."""
+        if self.lock is None:
+            self.wanted = blind
+            self._store.update(blind=blind)
+        elif not blind:
+            text = tr("{reason}: menu Frame unlocks it, which is recorded", reason=self.reason)
+            say(self._store, text)
+            self.refused.emit()
+
+    def set_locked(self, locked: bool) -> None:
+        """Lock the dataset, for everybody who annotates it, or unlock it; written down either
+        way."""
+        review = self._review
+        if review.database is None:
+            say(self._store, tr("open a folder of pictures first"), "warning")
+            return
+        events = self._events()
+        if locked != (lock_of(events) is not None):
+            event = LockEvent(locked, self._store.state.author, time.time())
+            self._locking = True
+            review.set_setting(LOCK_SETTING, write_events((*events, event)))
+            self._locking = False
+            said = [
+                tr("this dataset is locked to blind mode")
+                if locked
+                else tr("this dataset is not locked to blind mode any more")
+            ]
+            say(self._store, ", ".join(filter(None, (*said, review.reach))))
+
+    # --- inside ---
+
+    def _events(self) -> tuple[LockEvent, ...]:
+        return read_events(self._review.setting(LOCK_SETTING))
+
+    def _of_lock(self) -> dict[str, object]:
+        lock = lock_of(self._events())
+        return {"blind_lock": lock, "blind": self.wanted or lock is not None}
+
+    def _said(self, event: LockEvent) -> str:
+        if not event.time:
+            words = tr("This dataset is locked to blind mode")
+        else:
+            words = _who_and_when(event)
+        reach = self._review.reach
+        return f"{words} ({reach})" if reach else words
+
+    def _take(self, key: str) -> None:
+        """The dataset was locked or unlocked, here or in another window."""
+        if key != LOCK_SETTING:
+            return
+        self._store.update(**self._of_lock())
+        events = self._events()
+        if events and not self._locking:
+            say(self._store, self._said(events[-1]), "warning")
+
+    def _take_committed(self, frame: str) -> None:
+        """A frame was committed, here or in another window, or is not any more."""
+        known = self._store.state.committed
+        if not frame:
+            self._store.update(committed=self._review.committed_frames())
+        elif self._review.record(frame).committed != (frame in known):
+            self._store.update(committed=known ^ {frame})
+
+
+def _who_and_when(event: LockEvent) -> str:
+    who = event.author or tr("Somebody")
+    day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
+    if event.locked:
+        return tr("{who} locked this dataset to blind mode on {day}", who=who, day=day)
+    return tr("{who} unlocked this dataset from blind mode on {day}", who=who, day=day)

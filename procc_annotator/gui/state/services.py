@@ -9,13 +9,10 @@ from PySide6.QtCore import QObject
 from procc_annotator.dataset.records import default_author
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.checking.label_check import LabelCheck
-from procc_annotator.gui.state.checking.line_pixels import LinePixels
+from procc_annotator.gui.state.checking.label_check import LabelCheck, LinePixels
 from procc_annotator.gui.state.editing.editor import Editing
-from procc_annotator.gui.state.editing.frame_lock import FrameLock
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
-from procc_annotator.gui.state.editing.saving import Saver
+from procc_annotator.gui.state.editing.saving import FrameLock, Saver
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.maps import (
     DisagreementMap,
@@ -23,30 +20,32 @@ from procc_annotator.gui.state.maps import (
     UncertaintyMap,
     VisibleFieldRegion,
 )
-from procc_annotator.gui.state.messages import UNSAVED, Level
+from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.navigation.field_choice import FieldChoice
-from procc_annotator.gui.state.navigation.navigator import Navigator
-from procc_annotator.gui.state.navigation.opening import Opening
-from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
-from procc_annotator.gui.state.prediction.fit_source import FitSource
+from procc_annotator.gui.state.navigation.navigator import Navigator, Opening
+from procc_annotator.gui.state.prediction.camera_choice import (
+    CameraCorrections,
+    PredictionSource,
+    Proposals,
+)
+from procc_annotator.gui.state.prediction.computed_sources import FitSource, ShotTrack
 from procc_annotator.gui.state.prediction.ghosts import Ghosts
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.prediction.proposals import CameraCorrections, Proposals
-from procc_annotator.gui.state.prediction.shot_track import ShotTrack
-from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.camera_sources import CameraSourceCommands, Verdicts
+from procc_annotator.gui.state.review_state import BlindLock, ReviewState
+from procc_annotator.gui.state.scoring.commands import (
+    CameraSourceCommands,
+    EvaluationSettings,
+    Verdicts,
+)
 from procc_annotator.gui.state.scoring.dataset_scores import (
     DatasetScores,
     DatasetScoring,
 )
-from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
 from procc_annotator.gui.state.sequences import AnnotatedIndices, OpenSequence
-from procc_annotator.gui.state.state import State
+from procc_annotator.gui.state.state import UNSAVED, Level, State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.metrics.setup import EvaluationSetup

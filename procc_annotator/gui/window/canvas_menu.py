@@ -15,9 +15,9 @@ from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.commands.elements.element_edits import ElementEdits
-from procc_annotator.gui.commands.elements.ghosts import GhostCommands
-from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.element_edits import ElementEdits
+from procc_annotator.gui.commands.ghosts import GhostCommands
+from procc_annotator.gui.commands.label_check import LabelCheckCommands
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.panels.element_states import class_swatch, class_title

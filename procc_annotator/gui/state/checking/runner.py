@@ -19,8 +19,8 @@ from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
 
 FrameToRead = tuple[int, bool]  # a frame's index in the dataset, and whether to fit a camera

@@ -11,10 +11,9 @@ from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.editing.frame_lock import FrameLock
-from procc_annotator.gui.state.editing.saving import Saver
+from procc_annotator.gui.state.editing.saving import FrameLock, Saver
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.store import Store

@@ -31,10 +31,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_official
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import Job, JobControl, Priority, run_in_background
-from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.editing.outside_changes import FileWatch
+from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
+from procc_annotator.gui.state.scoring.commands import EvaluationSettings
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 

@@ -20,9 +20,9 @@ from procc_annotator.calibration.prediction.suggestions import AnnotationSuggest
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.pixels import PixelArray

@@ -14,11 +14,9 @@ from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, look_up
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.review_state import BlindLock, ReviewState
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrame, look_up
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr

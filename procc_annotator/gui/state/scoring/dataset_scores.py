@@ -18,9 +18,8 @@ from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority, after_paint
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrame, SourceFrames
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.measurement import Measurement, measure_projected

@@ -28,7 +28,7 @@ from procc_annotator.report.window_tables import OverviewRow, overview_csv, over
 from procc_annotator.translation import tr, tr_count
 
 if TYPE_CHECKING:
-    from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
+    from procc_annotator.gui.commands.exchange_dialogs import ExportDialog
     from procc_annotator.report.conversion_output import Converted
 
 
@@ -42,7 +42,7 @@ class ExportAs(DialogTask):
 
     def ask(self) -> None:
         """Show the dialog."""
-        from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
+        from procc_annotator.gui.commands.exchange_dialogs import ExportDialog
 
         if opened_frame(self._services) is None:
             return

@@ -15,8 +15,8 @@ from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority
-from procc_annotator.gui.state.messages import Level
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import Level
 from procc_annotator.translation import (
     TranslatableText,
     tr,

@@ -10,7 +10,7 @@ from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.view import ViewPlace
-from procc_annotator.gui.commands.elements.ghost_accepting import GhostAccepting
+from procc_annotator.gui.commands.ghost_accepting import GhostAccepting
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services

@@ -42,7 +42,7 @@ from procc_annotator.translation import tr, tr_count, translatable
 if TYPE_CHECKING:
     from procc_annotator.assist.label_proposal import LabelProposal
     from procc_annotator.formats.annotations.registry import ReadSet
-    from procc_annotator.gui.commands.files.exchange_dialogs import ImportDialog, LabelDialog
+    from procc_annotator.gui.commands.exchange_dialogs import ImportDialog, LabelDialog
 
 
 _HEAD = ("What the labels of other programs stand for; chosen at an import.",)  # not shown
@@ -160,7 +160,7 @@ class AnnotationImporter(DialogTask):
 
     def ask(self) -> None:
         """Show the dialog."""
-        from procc_annotator.gui.commands.files.exchange_dialogs import ImportDialog
+        from procc_annotator.gui.commands.exchange_dialogs import ImportDialog
 
         workspace = self._services.state.workspace
         if opened_frame(self._services) is None or workspace is None:
@@ -185,7 +185,7 @@ class AnnotationImporter(DialogTask):
 
     def _ask_names(self, looked: LookedAt) -> None:
         """Ask what labels stand for that are no class; where there are none, begin to save."""
-        from procc_annotator.gui.commands.files.exchange_dialogs import LabelDialog
+        from procc_annotator.gui.commands.exchange_dialogs import LabelDialog
 
         if not looked.proposals or self.dialog is None:
             self._take(looked.found)

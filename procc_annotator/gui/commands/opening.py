@@ -16,7 +16,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.layout import copy_sample, has_pictures
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.commands.files.video_opening import VideoOpening, keep_video_frame
+from procc_annotator.gui.commands.video_opening import VideoOpening, keep_video_frame
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, SOURCES, Setting, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, run_in_background
@@ -182,7 +182,7 @@ _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
 
 def sample_folder() -> Path | None:
     """The sample frames that come with the program; a package of others may have left them out."""
-    package = Path(__file__).resolve().parents[3]
+    package = Path(__file__).resolve().parents[2]
     folders = (package / "_sample_data", package.parent / "sample_data")  # installed, or a checkout
     return next((folder for folder in folders if folder.is_dir()), None)
 
