@@ -23,14 +23,6 @@ from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
 
 
-def as_sentence(text: str) -> str:
-    """With a capital and a full stop; a path stays as it is written."""
-    first = text.split(" ", 1)[0]
-    if "/" not in first and "\\" not in first and ":" not in first[:-1] and "." not in first:
-        text = f"{text[:1].upper()}{text[1:]}"
-    return tr("{text}.", text=text) if text else ""
-
-
 class Bar(QWidget):
     """A line of text across the window, with buttons at its right end."""
 

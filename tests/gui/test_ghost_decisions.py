@@ -177,10 +177,10 @@ class TestTab:
 
     def test_in_blind_mode(self, begun, hand, told):
         hand.key(Key.Key_B)
-        assert "no ghosts in blind mode" in self.says(begun, hand, told)
+        assert "no ghosts: blind" in self.says(begun, hand, told)
         begun.services.selection.select_class(None)
         hand.key(Key.Key_Period)
-        assert told[-1].startswith("no ghosts in blind mode")
+        assert told[-1].startswith("no ghosts: blind")
         assert "choose an element first" in told[-1]
 
     def test_in_a_dataset_that_is_locked_to_it(self, begun, hand, told):

@@ -517,7 +517,7 @@ class TestPanel:
         assert panel.empty.isVisible()
         assert not panel.save.isEnabled()
         services.blind_lock.set_blind(True)
-        qtbot.waitUntil(lambda: panel.empty.text().startswith("Hidden"))
+        qtbot.waitUntil(lambda: panel.empty.text().startswith("Blind"))
         services.blind_lock.set_blind(False)
         panel.on.click()
         qtbot.waitUntil(lambda: panel.empty.text().startswith("The live fit is off"))

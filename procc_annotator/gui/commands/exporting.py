@@ -18,6 +18,7 @@ from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
@@ -156,7 +157,11 @@ class FitSaving(QObject):
         if frame is None or workspace is None:
             return
         if insight is None or insight.fit.camera is None:
-            services.say(self._why_none())
+            failure = services.live_fit.result and services.live_fit.result.failure
+            why = tr("no camera to save: the fit is not there yet")
+            if failure:
+                why = tr("no camera to save: {why}", why=failure)
+            services.say(services.live_fit.problem or why)
             return
         if not services.editing.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
@@ -228,19 +233,6 @@ class FitSaving(QObject):
             )
         else:
             services.say(said)
-
-    def _why_none(self) -> str:
-        live = self._services.live_fit
-        if barred := self._services.blind_lock.no_fit:
-            return barred
-        if not live.wanted:
-            return tr("the live fit is off (Ctrl+T)")
-        if not live.allowed:
-            return tr("blind: the fit is hidden until this frame is committed (Ctrl+Enter)")
-        failure = live.result.failure if live.result is not None else None
-        if failure:
-            return tr("no camera to save: {why}", why=failure)
-        return tr("no camera to save: the fit is not there yet")
 
 
 def _same(some: Path, other: Path) -> bool:
@@ -357,7 +349,7 @@ class Exporter:
         """Return why no JaC can be exported; empty if it can."""
         active = self._services.state.active
         if active is None:
-            return tr("load cameras first: there is nothing to score")
+            return no_source(self._services.state)
         if self._scored is not None:
             hidden = self._services.state.revealed_frames == frozenset()
             none = tr("blind: no frame is committed yet, so there is no JaC to show")

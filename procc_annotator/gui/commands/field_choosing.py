@@ -10,9 +10,10 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWidget
 
 from procc_annotator.field.load import field_titles, is_builtin_field
-from procc_annotator.gui.messages import Bar, as_sentence
+from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr
 

@@ -22,6 +22,7 @@ from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.review_state import UNFINISHED
@@ -386,15 +387,12 @@ class WorstFirst(QObject):
             self._services.say("; ".join(filter(None, (said, more))))
 
     def _say_no_scores(self) -> None:
-        words = tr("no JaC yet: load cameras first")
-        if self._services.state.active is not None:
-            words = tr("no frame with a score to go to")
-            if self._services.state.blind:
-                words = tr(
-                    "no frame with a score to go to: blind mode shows those of committed frames"
-                    " only"
-                )
-        self._services.say(words)
+        state, words = self._services.state, tr("no frame with a score to go to")
+        if state.blind:
+            words = tr(
+                "no frame with a score to go to: blind mode shows those of committed frames only"
+            )
+        self._services.say(no_source(state) or words)
 
     # --- comparing ------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@ from procc_annotator.gui.canvas.view import ViewPlace
 from procc_annotator.gui.commands.ghost_accepting import GhostAccepting
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.overlay_predictions import ghost_extent, nearest_ghost
@@ -74,8 +75,8 @@ class GhostCommands(QObject):
     def _why_none(self) -> str:
         """Return why there is no ghost to go to or to accept; empty if there is one."""
         foresight, insight = self._services.prediction, self._ghosts.insight
-        if self._services.state.frame is None:
-            return tr("open a folder of pictures first")
+        if why := no_frame(self._services.state):
+            return why
         if off := self._why_off():
             return off
         if insight is None:
@@ -106,13 +107,9 @@ class GhostCommands(QObject):
 
     def _why_off(self) -> str:
         """Return why no ghosts are shown, whatever the clicks say; empty if they are."""
-        live_fit = self._services.live_fit
-        if barred := self._services.blind_lock.no_fit:
-            return tr("no ghosts: {why}", why=barred)
-        if not live_fit.allowed:
-            return tr("no ghosts in blind mode, until the frame is committed (Ctrl+Enter)")
-        if not self._services.prediction.wanted:
-            return tr("no ghosts: the live fit is off (Ctrl+T)")
+        prediction = self._services.prediction
+        if not (prediction.allowed and prediction.wanted):
+            return tr("no ghosts: {why}", why=self._services.live_fit.problem)
         if not self._ghosts.wanted:
             return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")
         if self._canvas.drawing.hidden:

@@ -14,6 +14,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, place_by_name
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.scores import VerdictRow
+from procc_annotator.gui.state.availability import hidden, no_frame, no_source
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, opened_frame, write
@@ -84,7 +85,7 @@ class Triage(QObject):
         services = self._services
         source, frame = services.state.active, services.state.frame
         if frame is None or source is None:
-            services.say(tr("a verdict is on a frame and a camera: load cameras first"))
+            services.say(no_frame(services.state) or no_source(services.state))
             return
         if source.files is None:
             follows = source is services.fit_source.source
@@ -101,10 +102,8 @@ class Triage(QObject):
                 )
             )
             return
-        if not services.state.projection_visible:
-            services.say(
-                tr("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
-            )
+        if why := hidden(services.state):
+            services.say(why)
             return
         chosen = FaultParty(fault)
         before = services.verdicts.verdict(frame.name, source)

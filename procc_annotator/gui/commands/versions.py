@@ -30,6 +30,7 @@ from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
 from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.pixels import PixelArray
@@ -332,7 +333,7 @@ class Versions:
         workspace, frame = services.state.workspace, services.state.frame
         database = services.review.database
         if workspace is None or frame is None or database is None:
-            services.say(tr("open a folder of pictures first"))
+            services.say(no_frame(services.state))
             return
         rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
         index = services.state.frame_index

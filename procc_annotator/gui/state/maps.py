@@ -22,12 +22,12 @@ from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state import availability
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.review_state import BlindLock
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.camera_view import (
@@ -176,10 +176,8 @@ class DisagreementMap(ComputedValue[Compared]):
     def _made_of(self) -> Inputs | str | None:
         state = self._store.state
         a, b = state.active, state.compared
-        if not state.projection_visible:
-            return tr("Blind: hidden until this frame is committed.")
-        if state.frame is None:
-            return tr("Open a folder of pictures first.")
+        if why := availability.hidden(state) or availability.no_frame(state):
+            return availability.as_sentence(why)
         if a is None and len(state.sources) > 1:
             return tr("No source is judged: choose one first.")
         if a is None or b is None:
@@ -394,7 +392,6 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
         self,
         store: Store,
         live_fit: LiveFit,
-        blind_lock: BlindLock,
         disagreement: DisagreementMap,
     ) -> None:
         super().__init__(
@@ -404,7 +401,7 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
             enabled=False,
         )
         self._store, self._live_fit = store, live_fit
-        self._blind_lock, self._disagreement = blind_lock, disagreement
+        self._disagreement = disagreement
         store.keep_current(self, live_fit.changed, when=When.NOW)
         disagreement.changed.connect(self._give_way)
 
@@ -424,17 +421,9 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
         super().set_enabled(enabled)
 
     def _made_of(self) -> Inputs | str | None:
-        state, live = self._store.state, self._live_fit
-        if state.frame is None:
-            return tr("Open a folder of pictures first.")
-        if barred := self._blind_lock.no_fit:
-            return f"{barred[0].upper()}{barred[1:]}."
-        if not live.allowed:
-            return tr("Blind: hidden until this frame is committed.")
-        if not live.wanted:
-            return tr(
-                "The live fit is off, so there is no uncertainty map (Ctrl+T switches it on)."
-            )
+        live = self._live_fit
+        if live.problem:
+            return availability.as_sentence(live.problem)
         fit = live.result
         if fit is None:
             if live.working:
@@ -442,7 +431,7 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
             return tr("There is no fit of this frame, so no uncertainty map.")
         if fit.camera is None:
             return tr("No camera yet, so no uncertainty map: {why}.", why=fit.failure)
-        return fit, state.sized_field
+        return fit, self._store.state.sized_field
 
     def _give_way(self) -> None:
         if self._disagreement.enabled:

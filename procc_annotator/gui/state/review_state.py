@@ -34,6 +34,7 @@ from procc_annotator.dataset.review import (
     write_commit,
     write_events,
 )
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
@@ -405,8 +406,8 @@ class BlindLock(QObject):
         """Lock the dataset, for everybody who annotates it, or unlock it; written down either
         way."""
         review = self._review
-        if review.database is None:
-            say(self._store, tr("open a folder of pictures first"), "warning")
+        if why := no_frame(self._store.state):
+            say(self._store, why, "warning")
             return
         events = self._events()
         if locked != (lock_of(events) is not None):

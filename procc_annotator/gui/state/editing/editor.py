@@ -11,6 +11,7 @@ from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.editing.saving import FrameLock, Saver
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
@@ -18,8 +19,6 @@ from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr, word
-
-_NOTHING_OPEN = word("open a folder of pictures first")
 
 
 class Editing(QObject):
@@ -57,7 +56,7 @@ class Editing(QObject):
         be had. Until then nothing has been clicked that could be lost."""
         state = self._store.state
         if not state.editable:
-            say(self._store, state.why_not_editable or tr(_NOTHING_OPEN), "warning")
+            say(self._store, state.why_not_editable or no_frame(state), "warning")
             return False
         if self.frame_lock.still_owned():
             return True
@@ -84,7 +83,7 @@ class Editing(QObject):
         state = self._store.state
         workspace, frame, before = state.workspace, state.frame, state.annotation
         if workspace is None or frame is None or state.why_broken:
-            say(self._store, state.why_broken or tr(_NOTHING_OPEN), "warning")
+            say(self._store, state.why_broken or no_frame(state), "warning")
             return False
         if annotation == before:
             self._warned_of = None
