@@ -17,7 +17,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.commands.dialogs import DialogTask
 from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
@@ -49,7 +49,7 @@ class ExportAs(DialogTask):
             return
         self._leave()
         self.dialog = dialog = ExportDialog(self._parent)
-        dialog.started.connect(self._ask_path)
+        dialog.start_button.clicked.connect(self._ask_path)
         dialog.cancelled.connect(self.cancel)
         dialog.open()
 

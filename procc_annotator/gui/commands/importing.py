@@ -25,7 +25,7 @@ from procc_annotator.formats.annotations.label_map import (
     label_map_text,
 )
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.commands.dialogs import DialogTask
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.editing.batch_edits import (
     BatchEdits,
@@ -167,7 +167,7 @@ class AnnotationImporter(DialogTask):
             return
         self._leave()
         self.dialog = dialog = ImportDialog(self._parent, str(workspace.folder))
-        dialog.started.connect(lambda: self.start(Path(dialog.path.text().strip())))
+        dialog.start_button.clicked.connect(lambda: self.start(Path(dialog.path.text().strip())))
         dialog.cancelled.connect(self.cancel)
         dialog.open()
 

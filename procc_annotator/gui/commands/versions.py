@@ -10,7 +10,6 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QListView,
     QStackedWidget,
@@ -27,6 +26,7 @@ from procc_annotator.dataset.workspace import restore_version
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
+from procc_annotator.gui.commands.dialogs import CLOSE, dialog_buttons
 from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
@@ -95,13 +95,10 @@ class VersionsDialog(QDialog):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.preview = AnnotationPreview(picture, field, size)
         self.note = note_label("versionsNote")
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.restore = self.buttons.addButton(tr("Restore"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.buttons, self.restore = dialog_buttons(self, tr("Restore"), CLOSE)
         self.restore.setObjectName("versionsRestore")
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
+        self.restore.clicked.connect(self.accept)
         self._arrange()
-        self.restore.setDefault(True)  # a dialog takes no notice before the button is in it
         self.list.selectionModel().currentChanged.connect(self._show)
         self.list.setCurrentIndex(self.model.index(0))
         self._show()

@@ -26,6 +26,7 @@ from procc_annotator.dataset.sequence import keep_frame, open_video
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.commands.dialogs import dialog_buttons
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
@@ -76,11 +77,7 @@ class VideoDialog(QDialog):
         self.field.setCurrentIndex(at)
         self.field.setEnabled(not decided)
         self.shown_at = at
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
-        )
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
+        buttons, _ = dialog_buttons(self, QDialogButtonBox.StandardButton.Open)
         form = QFormLayout(self)
         form.addRow(QLabel(text))
         form.addRow(self.interval, self.seconds)
