@@ -286,7 +286,7 @@ class TestFollowing:
             return track(*args, anchors=anchors, **more)
 
         monkeypatch.setattr(shot_following, "track_shot", noted)
-        services.annotated_frames.close()
+        services.annotated_frames.set_wanted(False)
         services.annotated_frames._edited.clear()
         follow(window, qtbot)
 

@@ -271,7 +271,7 @@ class LabelCheckCommands(QObject):
     def ignore(self, frame: str, found: StoredFinding) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
-        self._check.ignored.add(frame, found.key)
+        self._check.known.ignore(frame, found.key)
         titles = ", ".join(map(self._title, found.finding.elements))
         self._services.say(
             tr("ignored until {elements} changes; the Check panel brings it back", elements=titles)
@@ -280,7 +280,7 @@ class LabelCheckCommands(QObject):
     def restore(self) -> None:
         """Show the ignored findings of the frame on screen again."""
         if name := self._frame_name():
-            self._check.ignored.restore(name)
+            self._check.known.restore(name)
 
     # --- the set --------------------------------------------------------------------------
 

@@ -69,34 +69,6 @@ Ellipses = tuple[ShownEllipse, ...]
 FileAndInstant = tuple[LandmarkFile, str | None]  # of a dataset, and of the frame on screen
 
 
-class LandmarkEllipses(ComputedValue[Ellipses]):
-    """Error ellipses of the landmarks whose position has a covariance, by the scored camera, else
-    by the fit."""
-
-    def __init__(
-        self,
-        store: Store,
-        live_fit: LiveFit,
-        judge: FrameScorer,
-        here: Callable[[], FileAndInstant],
-    ) -> None:
-        super().__init__(self._made_of, _project, store, background=False)
-        self._store, self._live_fit, self._judge = store, live_fit, judge
-        self._here = here
-        store.keep_current(self, live_fit.changed)
-
-    def _made_of(self) -> Inputs | None:
-        state, (file, instant) = self._store.state, self._here()
-        size = state.picture_size
-        if size is None or not file.landmarks or not state.projection_visible:
-            return None
-        field, camera = self._judge.frame_setup.field, self._judge.camera
-        if camera is not None:
-            return file, instant, field, size, camera, state.setup.size
-        fit = self._live_fit.result
-        return None if fit is None else (file, instant, field, size, fit, fit.size)
-
-
 def entries_of(file: LandmarkFile, instant: str | None) -> list[Landmark]:
     """One a landmark of a dataset, as it is at an instant."""
     return [
@@ -136,49 +108,6 @@ def _project(
     )
 
 
-class LandmarkFiles(QObject):
-    """Reads both files again, in the background, whenever one of them was written."""
-
-    read = Signal(LandmarkFile, ViewGroups, str)  # and of rows that name no frame
-    damaged = Signal(str)  # why they cannot be used
-
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._workspace: Workspace | None = None
-        self._writes = 0  # that were seen; what was there before is known
-        self._found = ComputedValue(self._written, _read, self)
-        self._found.changed.connect(self._deliver)
-        self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
-        for watch in self._watches.values():
-            watch.changed.connect(self.read_again)
-
-    def watch(self, workspace: Workspace | None) -> None:
-        """Watch the files of this dataset from now on; None: of none."""
-        self._found.clear()
-        self._workspace, self._writes = workspace, 0
-        for name, watch in self._watches.items():
-            watch.watch(None if workspace is None else workspace.folder / name)
-
-    def note_written(self) -> None:
-        """Read again if a read is in progress: it may have begun before the write."""
-        if self._found.working:
-            self.read_again()
-
-    def read_again(self) -> None:
-        """Read both files, in the background, anyone who wrote them."""
-        self._writes += 1
-        self._found.invalidate()
-
-    def _written(self) -> Inputs | None:
-        return (self._workspace, self._writes) if self._workspace and self._writes else None
-
-    def _deliver(self) -> None:
-        if (found := self._found.value) is not None:
-            self.read.emit(*found)
-        elif problem := self._found.problem:
-            self.damaged.emit(problem)
-
-
 def _read(workspace: Workspace, _writes: int) -> tuple[LandmarkFile, ViewGroups, str]:
     file, groups = read_landmarks_in(workspace.folder)
     _ = groups.groups  # is kept; many frames take long to be put in order
@@ -198,32 +127,37 @@ class Landmarks(QObject):
         groups: its frames of one instant.
         problem: why its files cannot be used; nothing is written over them then.
         strange: what is to say of rows of ``views.csv`` that name no frame; empty for nothing.
+        ellipses: error ellipses in the frame on screen of the landmarks whose position has a
+            covariance.
     """
 
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
-    ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
     def __init__(
         self, store: Store, judge: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
     ) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
+        self._judge, self._live_fit = judge, live_fit
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
+        self._damage = ""  # what the problem is, of the files alone
+        self._since: ClickedFrames = {}  # of frames that were on screen since the scan
         self._clicked = ComputedValue(
             self._to_scan, _scan, self, stoppable=True, priority=Priority.LOW
         )
         self._clicked.changed.connect(self._take_scan)
-        self._clicked.failed.connect(self._say_scan_failed)
-        self._since: ClickedFrames = {}  # of frames that were on screen since the scan
+        self._clicked.failed.connect(partial(say, store, level="error"))
         self.triangulation = LandmarkTriangulation(store, live_fit, self)
         self.triangulation.changed.connect(self.changed)
-        self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
-        self._ellipses.changed.connect(self.ellipsesChanged)
-        self._damage = ""  # what the problem is, of the files alone
-        self._files = LandmarkFiles(self)
-        self._files.read.connect(self._take_read)
-        self._files.damaged.connect(self._note_damage)
+        self.ellipses = ComputedValue(self._to_project, _project, self, background=False)
+        store.keep_current(self.ellipses, live_fit.changed)
+        self._writes = 0  # of both files that were seen
+        self._read = ComputedValue(self._to_read, _read, self)
+        self._read.changed.connect(self._take_read)
+        self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
+        for watch in self._watches.values():
+            watch.changed.connect(self.read_again)
         store.watch(select.annotation, self._look_at_frame)
         store.events.framesEdited.connect(self._look_again)
         store.watch(select.field, self._try_again)
@@ -237,7 +171,7 @@ class Landmarks(QObject):
         self.problem = self.strange = ""
         for notice in (PROBLEM, STRANGE):  # of the dataset before
             withdraw(self._store, notice)
-        self._files.watch(workspace)
+        self._watch(workspace)
         try:
             self.file, self.groups = read_landmarks_in(workspace.folder)
             self.strange = unknown_frames_message(self.groups, workspace)
@@ -251,7 +185,7 @@ class Landmarks(QObject):
 
     def close(self) -> None:
         """Look for nothing any more."""
-        self._files.watch(None)
+        self._watch(None)
         self.triangulation.stop()
         self._forget_clicks()
 
@@ -260,7 +194,7 @@ class Landmarks(QObject):
         """One a landmark, as it is in the frame on screen."""
         return entries_of(*self._here())
 
-    def _here(self) -> tuple[LandmarkFile, str | None]:
+    def _here(self) -> FileAndInstant:
         name = self._store.state.frame_name
         return self.file, None if name is None else self.groups.instant_of(name)
 
@@ -310,7 +244,8 @@ class Landmarks(QObject):
             say(self._store, str(error), "warning")
             return False
         self.file = before
-        self._files.note_written()
+        if self._read.working:  # it may have begun before the write
+            self.read_again()
         self._use(file, self.groups, field)
         return True
 
@@ -325,17 +260,34 @@ class Landmarks(QObject):
     # --- what others write ---
 
     def read_again(self) -> None:
-        """One of the files was written just now, by another part of the program."""
-        self._files.read_again()
+        """Read both files, in the background, whoever wrote them."""
+        self._writes += 1
+        self._read.invalidate()
+
+    def _watch(self, workspace: Workspace | None) -> None:
+        """Watch the files of this dataset from now on; None: of none."""
+        self._read.clear()
+        self._writes = 0
+        for name, watch in self._watches.items():
+            watch.watch(None if workspace is None else workspace.folder / name)
+
+    def _to_read(self) -> Inputs | None:
+        workspace = self._store.state.workspace
+        return (workspace, self._writes) if workspace is not None and self._writes else None
 
     def _try_again(self) -> None:
         """With another field what could not be used before may be."""
         if self.problem:
-            self._files.read_again()
+            self.read_again()
 
-    def _take_read(self, file: LandmarkFile, groups: ViewGroups, strange: str) -> None:
+    def _take_read(self) -> None:
         """Another window or program wrote the files, or this one did."""
         workspace = self._store.state.workspace
+        if self._read.value is None:
+            if self._read.problem:
+                self._note_damage(self._read.problem)
+            return
+        file, groups, strange = self._read.value
         self._tell_strange(strange)
         if workspace is None or (not self.problem and (file, groups) == (self.file, self.groups)):
             return
@@ -387,9 +339,6 @@ class Landmarks(QObject):
         if self._clicked.value is not None:
             self.changed.emit()
 
-    def _say_scan_failed(self, text: str) -> None:
-        say(self._store, text, "error")
-
     def _look_at_frame(self) -> None:
         """The annotation on screen is another one; all others are known."""
         name = self._store.state.frame_name
@@ -426,11 +375,17 @@ class Landmarks(QObject):
         places = ((workspace.index[n], self.groups.view_of(n)) for n in names)
         return tuple((index, workspace.frames[index].name, view) for index, view in places)
 
-    @property
-    def ellipses(self) -> tuple[ShownEllipse, ...]:
-        """Return how surely the frame on screen shows the landmarks; the same object as long as
-        nothing changed."""
-        return self._ellipses.value or ()
+    def _to_project(self) -> Inputs | None:
+        """The landmarks on screen with the scored camera, else with the fit."""
+        state = self._store.state
+        size = state.picture_size
+        if size is None or not self.file.landmarks or not state.projection_visible:
+            return None
+        field, camera = self._judge.frame_setup.field, self._judge.camera
+        if camera is not None:
+            return *self._here(), field, size, camera, state.setup.size
+        fit = self._live_fit.result
+        return None if fit is None else (*self._here(), field, size, fit, fit.size)
 
     @staticmethod
     def _path(workspace: Workspace) -> Path:

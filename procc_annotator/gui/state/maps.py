@@ -286,10 +286,6 @@ class VisibleFieldRegion(QObject):
         """The half that is in sight alone, see `FieldSight.half`; 0 also by a doubtful camera."""
         return 0 if self.shown is None or not self._sure else self.shown.half
 
-    def close(self) -> None:
-        """Work nothing out any more."""
-        self._found.close()
-
     # --- inside ---
 
     @property

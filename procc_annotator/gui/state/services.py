@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from functools import partial
 
 from PySide6.QtCore import QObject
 
 from procc_annotator.dataset.records import default_author
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.background import ComputedValue
 from procc_annotator.gui.state.checking.label_check import LabelCheck, LinePixels
 from procc_annotator.gui.state.editing.editor import Editing
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
@@ -50,8 +51,6 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.metrics.setup import EvaluationSetup
 
-T = TypeVar("T")
-
 _CACHE_BYTES = 16 * 2**20  # more than the pictures that may come next cost more than they spare
 
 
@@ -77,7 +76,7 @@ class Services(QObject):
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
         self.review = ReviewState(self)
         self.saver, self.frame_lock = Saver(self), FrameLock(self)
-        self.source_frames, self.dataset_scores = SourceFrames(self), DatasetScores(self)
+        self.source_frames, self.dataset_scores = SourceFrames(self), DatasetScores(store)
         self.scorer = FrameScorer(store, self.source_frames)
         self.scoring = DatasetScoring(store, self.scorer, self.source_frames, self.dataset_scores)
         store.score = self.scoring.follow
@@ -94,7 +93,7 @@ class Services(QObject):
 
     def _listen(self) -> None:
         """Put into the state what services find by themselves."""
-        self.review.failed.connect(self._say_warning)
+        self.review.failed.connect(partial(say, self.store, level="warning"))
         self.saver.failed.connect(self._say_unsaved)
         self.saver.changed.connect(self._take_unsaved)
         self.frame_lock.changed.connect(self._take_holder)
@@ -176,26 +175,13 @@ class Services(QObject):
     def close(self) -> None:
         """Stop everything that runs in the background, but for what is being saved."""
         self.saver.settle()
-        for service in (
-            self.outside_changes,
-            self.scoring,
-            self.live_fit,
-            self.label_check,
-            self.field_choice,
-            self.landmarks,
-            self.ghosts,
-            self.visible_region,
-            self.prediction,
-            self.corrections,
-            self.proposals,
-            self.uncertainty,
-            self.disagreement,
-            self.line_widths,
-            self.line_pixels,
-            self.sequence,
-            self.annotated_frames,
-        ):
-            service.close()
+        self.outside_changes.close()
+        self.scoring.close()
+        self.label_check.close()
+        self.field_choice.close()
+        self.landmarks.close()
+        for value in self.findChildren(ComputedValue):
+            value.close()
         self.saver.retry_timer.stop()
         self.frame_lock.close()
         self.review.set_database(None)
@@ -208,9 +194,6 @@ class Services(QObject):
 
     def _take_holder(self) -> None:
         self.store.update(holder=self.frame_lock.holder)
-
-    def _say_warning(self, text: str) -> None:
-        say(self.store, text, "warning")
 
     def _say_unsaved(self, text: str) -> None:
         notify(self.store, UNSAVED, text, "error", remedy="save")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -24,7 +25,7 @@ from procc_annotator.dataset.review import (
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.checking.known_checks import IgnoredFindings, KnownChecks
+from procc_annotator.gui.state.checking.known_checks import KnownChecks
 from procc_annotator.gui.state.checking.runner import CheckRunner
 from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
@@ -127,13 +128,11 @@ class LabelCheck(QObject):
         paint: LinePixels,
     ) -> None:
         super().__init__(store)
-        self._store, self._live_fit, self._judge = store, live_fit, judge
-        self._paint = paint
+        self._store, self._live_fit, self._judge, self._paint = store, live_fit, judge, paint
         self.severities: frozenset[Severity] = frozenset(Severity)
         self.problems: dict[str, str] = {}
         self.set_checked = False
-        self.ignored = IgnoredFindings(review, self)
-        self.known = KnownChecks(store, self.ignored)
+        self.known = KnownChecks(store, review)
         self._current: tuple[str, str] | None = None  # frame and key
         self._runner = CheckRunner(store, live_fit, self)
         self._check = ComputedValue(self._to_check, _check, self, cache_size=_KEPT)
@@ -146,9 +145,9 @@ class LabelCheck(QObject):
     def _connect(self, store: Store, review: ReviewState) -> None:
         store.keep_current(self._check, self._live_fit.changed, self._paint.changed)
         self._check.changed.connect(self._look)
-        self._check.failed.connect(self._warn)
+        self._check.failed.connect(partial(say, store, level="warning"))
         self.framesChanged.connect(self.known.look_at_set_again)
-        self.ignored.changed.connect(self._signal)
+        review.settingChanged.connect(self._take_setting)
         review.statusChanged.connect(self.known.look_at_set_again)  # committed elsewhere
         store.watch(select.dataset, self._forget)
         store.watch(select.field, self._forget)
@@ -222,7 +221,7 @@ class LabelCheck(QObject):
         elif found is None:
             self._keep_valid(name)
             self._announce()
-        elif (before := self.known.get(name)) is not found:
+        elif (before := self.known.frames.get(name)) is not found:
             self._take(name, found)
             self._check.invalidate()
             if before is not None and found.fitted:
@@ -231,7 +230,7 @@ class LabelCheck(QObject):
     def _take(self, name: str, found: FrameCheck) -> None:
         self._runner.drop(name)
         self.problems.pop(name, None)
-        self.known.keep(name, found)
+        self.known.frames[name] = found
         self._signal(name)
 
     def _keep_valid(self, name: str) -> None:
@@ -239,7 +238,7 @@ class LabelCheck(QObject):
         kept = self.known.check_of(name)
         if kept is not None and kept.content != self._content.value:
             left = still_valid(kept, self._store.state.annotation)
-            self.known.keep(name, left)
+            self.known.frames[name] = left
             if left.found != kept.found:
                 self.framesChanged.emit(name)
 
@@ -250,7 +249,7 @@ class LabelCheck(QObject):
         if name is None:
             return None
         if self.fit_shown:
-            insight, kept = self._live_fit.insight, self.known.get(name)
+            insight, kept = self._live_fit.insight, self.known.frames.get(name)
             # Findings of the picture are not to go and come with every click.
             waits = kept is not None and kept.with_paint and self._paint.working
             return None if insight is None or waits else (insight, field, None, name, evidence)
@@ -279,8 +278,9 @@ class LabelCheck(QObject):
             self._shown = shown
             self.changed.emit()
 
-    def _warn(self, text: str) -> None:
-        say(self._store, text, "warning")
+    def _take_setting(self, setting: str) -> None:
+        if (frame := self.known.take_setting(setting)) is not None:
+            self._signal(frame)
 
     def _signal(self, name: str) -> None:
         self.known.look_at_set_again()
@@ -317,8 +317,8 @@ class LabelCheck(QObject):
             return
         for index in indices:
             name = workspace.frames[index].name
-            known = self.known.drop(name)
-            if self.problems.pop(name, None) is not None or known:
+            checked = self.known.frames.pop(name, None), self.problems.pop(name, None)
+            if checked != (None, None):
                 self._runner.add(name)
         self.framesChanged.emit("")
         self._look()
@@ -341,8 +341,7 @@ class LabelCheck(QObject):
         self._runner.stop()
 
     def close(self) -> None:
-        """Stop everything that runs in the background."""
-        self._check.close()
+        """Stop checking the set and edited frames."""
         self._runner.close()
 
     def _take_end(self, checked: int, from_set: dict[str, FrameCheck]) -> None:
@@ -356,13 +355,13 @@ class LabelCheck(QObject):
         """Keep what the background found, but of frames that changed meanwhile."""
         for name, checked in results:
             if isinstance(checked, str):
-                self.known.drop(name)
+                self.known.frames.pop(name, None)
                 self.problems[name] = checked
             elif not self._is_newest(name, checked):
                 self._runner.add(name)
             elif self._store.state.reveals(name) or not checked.fitted:
                 self.problems.pop(name, None)
-                self.known.keep(name, checked)
+                self.known.frames[name] = checked
         self.framesChanged.emit("")
         self._announce()
 

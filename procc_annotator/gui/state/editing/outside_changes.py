@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
@@ -96,7 +97,7 @@ class OutsideChanges(QObject):
         super().__init__(store)
         self._store = store
         self._editing, self._sources, self._auditing = editing, sources, auditing
-        self._looking = LatestOnlyTask(self, self._say_failed)
+        self._looking = LatestOnlyTask(self, partial(say, store, level="error"))
         self._again = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(editing.look_at_frame)
@@ -140,9 +141,6 @@ class OutsideChanges(QObject):
         self._looking.cancel()
 
     # --- inside ---
-
-    def _say_failed(self, text: str) -> None:
-        say(self._store, text, "error")
 
     def _look_again(self) -> None:
         again, self._again = self._again, False

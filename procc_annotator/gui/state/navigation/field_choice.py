@@ -111,6 +111,7 @@ class FieldChoice(QObject):
     def __init__(self, store: Store, review: ReviewState, terms: EvaluationSettings) -> None:
         super().__init__(store)
         self._store, self._review, self._terms = store, review, terms
+        self._fail = partial(say, store, level="error")
         self._default = store.state.field
         self.mismatch: Mismatch | None = None
         self.question: Field | None = None
@@ -308,9 +309,6 @@ class FieldChoice(QObject):
                 "this dataset's field from now on, {reach}: {field}", reach=reach, field=field
             )
         say(self._store, text)
-
-    def _fail(self, text: str) -> None:
-        say(self._store, text, "error")
 
     def _may_choose(self, source: Path | None) -> bool:
         own = self.decided_by_file

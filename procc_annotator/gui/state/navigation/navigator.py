@@ -52,7 +52,7 @@ class Navigator(QObject):
             self, self._fail_whole, priority=Priority.IMMEDIATE, delay_ms=0
         )
         self._bringing = LatestOnlyTask(
-            self, self._say, priority=Priority.IMMEDIATE
+            self, partial(say, store, level="warning"), priority=Priority.IMMEDIATE
         )  # the picture of a frame to come to
         self._aim = -1  # the frame that is come to once its picture is there
         self._soon = after_paint(self, self._foresee)
@@ -208,9 +208,6 @@ class Navigator(QObject):
             return {"picture": self._cache.get(path)}
         self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
         return {"half": half}
-
-    def _say(self, text: str) -> None:
-        say(self._store, text, "warning")
 
     def _take_whole(self, picture: PixelArray) -> None:
         self._end_first_look(picture=picture)

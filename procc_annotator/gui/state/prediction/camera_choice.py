@@ -105,10 +105,6 @@ class Proposals(QObject):
             state.frame, state.field
         )
 
-    def close(self) -> None:
-        """Look for nothing any more."""
-        self._derived.close()
-
     # --- inside ---
 
     def _next(self) -> Inputs | None:
@@ -211,10 +207,6 @@ class CameraCorrections(QObject):
             return False
         self._set(name, before.pop())
         return True
-
-    def close(self) -> None:
-        """Look for nothing any more."""
-        self._look.close()
 
     # --- inside ---
 
@@ -358,10 +350,6 @@ class PredictionSource(QObject):
         """Return whether what is shown follows from a camera that was found without clicks."""
         insight = self.insight
         return insight is not None and not insight.from_clicks
-
-    def close(self) -> None:
-        """Work nothing out any more."""
-        self._stand_in.close()
 
     # --- inside ---
 

@@ -274,10 +274,6 @@ class Ghosts(QObject):
             told = tr("{title}: its line could not be looked for: {why}", title=title, why=text)
             say(self._store, told, "warning")
 
-    def close(self) -> None:
-        """Look for nothing any more."""
-        self._points.close()
-
     # --- keeping up -----------------------------------------------------------------------
 
     def _look(self) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -51,8 +51,8 @@ class SourceFrame:
 NO_CAMERA = SourceFrame()
 
 
-def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> SourceFrame:
-    """Read a frame's camera and project the field with it; safe from any thread."""
+def find_camera(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> SourceFrame:
+    """Read a frame's camera; safe from any thread."""
     try:
         found = camera_set.camera(frame, setup.size)
     except CameraError as error:
@@ -63,10 +63,17 @@ def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> Sou
         return SourceFrame(error=f"{frame}: {problem} ({NAME_THE_FORMAT})")
     if problem := clipped_projection_error(found.camera, setup):
         return SourceFrame(error=f"{frame}: {problem}")
-    projected = project_field(found.camera, setup.of_frame(frame))
     return SourceFrame(
-        found.camera, found.model, projected, found.notice or "", fitted_on=found.fitted_on
+        found.camera, found.model, notice=found.notice or "", fitted_on=found.fitted_on
     )
+
+
+def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> SourceFrame:
+    """Read a frame's camera and project the field with it; safe from any thread."""
+    found = find_camera(camera_set, frame, setup)
+    if found.camera is None:
+        return found
+    return replace(found, projected=project_field(found.camera, setup.of_frame(frame)))
 
 
 _Key = tuple[FrameCameras, str]
@@ -126,10 +133,6 @@ class SourceFrames(QObject):
         if setup != self._setup:
             self._setup = setup
             self._known.clear()
-
-    def close(self) -> None:
-        """Look nothing up any more."""
-        self._next.close()
 
     def show(
         self, sources: Sequence[CameraSource], frame: str | None, beside: Iterable[str] = ()
