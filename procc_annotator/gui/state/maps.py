@@ -240,6 +240,9 @@ class VisibleFieldRegion(QObject):
     While the next one is worked out the sight before stays, so that the map does not flicker with
     every click. A frame without a camera has nothing in sight; its map stays turned as it was, for
     cameras of one set stand on one side. In blind mode nothing of it is reported.
+
+    Attributes:
+        wanted: whether the map follows the camera.
     """
 
     changed = Signal()
@@ -247,7 +250,7 @@ class VisibleFieldRegion(QObject):
     def __init__(self, store: Store, foresight: PredictionSource, judge: FrameScorer) -> None:
         super().__init__(store)
         self._store, self._foresight, self._judge = store, foresight, judge
-        self._wanted = True
+        self.wanted = True
         self._sight: VisibleField | None = None
         self._sure = True
         self._turns = 0
@@ -259,15 +262,10 @@ class VisibleFieldRegion(QObject):
         store.keep_current(self._found)
         foresight.changed.connect(self._look)
 
-    @property
-    def wanted(self) -> bool:
-        """Return whether the map follows the camera."""
-        return self._wanted
-
     def set_wanted(self, wanted: bool) -> None:
         """Turn the map to the side of the camera, or leave the main camera's side below."""
-        if wanted != self._wanted:
-            self._wanted = wanted
+        if wanted != self.wanted:
+            self.wanted = wanted
             self._look()
 
     @property
@@ -290,7 +288,7 @@ class VisibleFieldRegion(QObject):
 
     @property
     def _allowed(self) -> bool:
-        return self._wanted and self._store.state.projection_visible
+        return self.wanted and self._store.state.projection_visible
 
     def _made_of(self) -> Inputs | None:
         state = self._store.state

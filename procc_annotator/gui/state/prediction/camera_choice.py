@@ -8,7 +8,7 @@ something is annotated after it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
@@ -45,6 +45,9 @@ class Proposals(QObject):
     The answer is that of the picture alone: it does not depend on what was opened before.
     Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
     in a dataset locked to it, nothing is looked for.
+
+    Attributes:
+        wanted: whether the user wants cameras to be proposed.
     """
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
@@ -52,7 +55,7 @@ class Proposals(QObject):
     def __init__(self, store: Store, blind_lock: BlindLock, cache: FrameCache) -> None:
         super().__init__(store)
         self._store, self._blind_lock, self._cache = store, blind_lock, cache
-        self._wanted = True
+        self.wanted = True
         self._derived = ComputedValue(
             self._next,
             self._look_at,
@@ -66,15 +69,10 @@ class Proposals(QObject):
         self._derived.changed.connect(self._take)
         store.keep_current(self._derived)
 
-    @property
-    def wanted(self) -> bool:
-        """Return whether a person wants cameras to be proposed."""
-        return self._wanted
-
     def set_wanted(self, wanted: bool) -> None:
         """Propose cameras, or do not."""
-        if wanted != self._wanted:
-            self._wanted = wanted
+        if wanted != self.wanted:
+            self.wanted = wanted
             self._derived.invalidate()
             self.changed.emit()
 
@@ -92,7 +90,7 @@ class Proposals(QObject):
     def here(self) -> Proposal | None:
         """Return what was found in the frame on screen; None while it is looked for, and where it
         is not."""
-        if not (self._wanted and self.allowed):
+        if not (self.wanted and self.allowed):
             return None
         state = self._store.state
         return None if state.frame is None else self._derived.cached(state.frame, state.field)
@@ -112,8 +110,11 @@ class Proposals(QObject):
         state = self._store.state
         if state.workspace is None or state.picture is None:
             return None
-        for index in self._in_turn(state.frame_index):
-            frame = state.workspace.frames[index]
+        here, frames = state.frame_index, state.workspace.frames
+        for index in (here, *(here + step for step in _NEIGHBOURS)):
+            if not 0 <= index < len(frames):
+                continue
+            frame = frames[index]
             if not self._is_asked(index):
                 if index == state.frame_index:
                     return None  # a hand works here: no search slows it down
@@ -121,16 +122,11 @@ class Proposals(QObject):
                 return frame, state.field
         return None
 
-    def _in_turn(self, here: int) -> Iterator[int]:
-        workspace = self._store.state.workspace
-        count = len(workspace.frames) if workspace is not None else 0
-        yield from (i for i in (here, *(here + step for step in _NEIGHBOURS)) if 0 <= i < count)
-
     def _is_asked(self, index: int) -> bool:
         """Return whether a camera should be proposed for a frame: no one annotated it."""
         state = self._store.state
         workspace = state.workspace
-        if workspace is None or index < 0 or not self._wanted or self._blind_lock.lock is not None:
+        if workspace is None or index < 0 or not self.wanted or self._blind_lock.lock is not None:
             return False
         if index == state.frame_index:
             annotation = state.annotation
