@@ -107,11 +107,9 @@ class ExportAs(DialogTask):
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
-        headline = (
-            _written(done)
-            if done.frames
-            else tr("Nothing was written: no frame is annotated, or none could be written.")
-        )
+        headline = tr("Nothing was written: no frame is annotated, or none could be written.")
+        if done.frames:
+            headline = _written(done)
         self.dialog.set_running(False)
         self.dialog.tell(
             "\n".join(filter(None, (headline, said))),
@@ -185,11 +183,8 @@ class FitSaving(QObject):
             if source.files is not None and _same(source.files.path, folder)
         ]
         left_open = ill_conditioned_reason(insight.fit)
-        annotation, fit, field = (
-            insight.annotation,
-            insight.fit,
-            services.scorer.frame_setup.field.described,
-        )
+        annotation, fit = insight.annotation, insight.fit
+        field = services.scorer.frame_setup.field.described
 
         def work(control: JobControl) -> _Saved:
             path = save_fit(folder, frame.name, annotation, fit, field=field)

@@ -20,12 +20,14 @@ from procc_annotator.batch.triage import (
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.review_state import UNFINISHED
+from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, word
 
@@ -174,11 +176,21 @@ class StatusWalk:
         if (workspace := self._services.state.workspace) is not None:
             self._services.navigator.go_to(len(workspace.frames) - 1)
 
+    def go_unannotated(self, step: int) -> None:
+        """The nearest frame without annotation after (1) or before (-1) this one."""
+        self._go(
+            step,
+            lambda workspace, index: not is_annotated(workspace, index),
+            tr("every frame after this one is annotated")
+            if step > 0
+            else tr("every frame before this one is annotated"),
+        )
+
     def go_unfinished(self, step: int) -> None:
         """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
         self._go(
             step,
-            lambda name: self._services.review.status(name) in UNFINISHED,
+            lambda workspace, index: self._status(workspace, index) in UNFINISHED,
             tr("every frame after this one is done or approved")
             if step > 0
             else tr("every frame before this one is done or approved"),
@@ -188,7 +200,7 @@ class StatusWalk:
         """The next rejected frame; after the last one it begins again."""
         self._go(
             1,
-            lambda name: self._services.review.status(name) is Status.REJECTED,
+            lambda workspace, index: self._status(workspace, index) is Status.REJECTED,
             tr("no other frame is rejected"),
             around=True,
         )
@@ -202,21 +214,28 @@ class StatusWalk:
         services.review.set_status(frame.name, Status(status))
         services.say(tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame")))
 
+    def _status(self, workspace: Workspace, index: int) -> Status:
+        return self._services.review.status(workspace.frames[index].name)
+
     def _go(
-        self, step: int, wanted: Callable[[str], bool], none_left: str, *, around: bool = False
+        self,
+        step: int,
+        wanted: Callable[[Workspace, int], bool],
+        none_left: str,
+        *,
+        around: bool = False,
     ) -> None:
-        services = self._services
-        if services.state.workspace is None:
+        services, workspace = self._services, self._services.state.workspace
+        if workspace is None:
             return
-        frames = services.state.workspace.frames
-        here, count = services.state.frame_index, len(frames)
+        here, count = services.state.frame_index, len(workspace.frames)
         ahead = range(here + step, count if step > 0 else -1, step)
         order = [*ahead, *(range(here) if around else ())]
-        for index in order:
-            if wanted(frames[index].name):
-                services.navigator.go_to(index)
-                return
-        services.say(none_left)
+        found = next((index for index in order if wanted(workspace, index)), None)
+        if found is None:
+            services.say(none_left)
+        else:
+            services.navigator.go_to(found)
 
 
 Order = Literal["jac", "error", "disagreement"]
@@ -408,11 +427,8 @@ class WorstFirst(QObject):
 
     def _compare(self, a: CameraSource, b: CameraSource) -> None:
         services = self._services
-        workspace, frame, setup = (
-            services.state.workspace,
-            services.state.frame,
-            services.state.setup,
-        )
+        state = services.state
+        workspace, frame, setup = state.workspace, state.frame, state.setup
         if workspace is None:
             return
         if self._comparing.running:

@@ -60,7 +60,7 @@ class GhostAccepting(QObject):
         self, services: Services, window: QWidget, settings: Settings, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._services = services
+        self._services, self._say = services, services.say
         self._window = window
         self._settings = settings
         self._looking = LatestOnlyTask(
@@ -223,10 +223,8 @@ class GhostAccepting(QObject):
         self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText
     ) -> bool:
         services = self._services
-        if (
-            not services.editing.begin_edit()
-            or services.state.annotation is not made_for.annotation
-        ):
+        editable = services.editing.begin_edit()
+        if not editable or services.state.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
         label = translatable("accept {what}", what=what)
@@ -251,11 +249,8 @@ class GhostAccepting(QObject):
         made_for = services.ghosts.insight
         if not ghosts or made_for is None or not services.editing.begin_edit():
             return False  # somebody else has the frame, or nobody can edit it: that is said
-        picture, size, frame = (
-            services.navigator.picture,
-            services.state.picture_size,
-            services.state.frame,
-        )
+        picture, state = services.navigator.picture, services.state
+        size, frame = state.picture_size, state.frame
         if picture is None or size is None or frame is None:
             self._say(tr("no ghost was accepted: there is no picture to look for their lines in"))
             return False
@@ -342,6 +337,3 @@ class GhostAccepting(QObject):
 
     def _said_title(self, name: str) -> TranslatableText:
         return translatable(self._services.state.field.title_of(name))
-
-    def _say(self, text: str) -> None:
-        self._services.say(text)

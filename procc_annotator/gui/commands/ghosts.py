@@ -39,7 +39,7 @@ class GhostCommands(QObject):
         self, services: Services, canvas: Canvas, settings: Settings, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._services = services
+        self._services, self._say = services, services.say
         self._ghosts = services.ghosts
         self._canvas = canvas
         self.accepting = GhostAccepting(services, canvas, settings, self)
@@ -146,11 +146,8 @@ class GhostCommands(QObject):
     def _show(self, ghost: Ghost) -> None:
         services = self._services
         if self._before is None:
-            self._before = _Before(
-                self._canvas.place,
-                services.state.selected_class,
-                services.state.frame,
-            )
+            state = services.state
+            self._before = _Before(self._canvas.place, state.selected_class, state.frame)
         self._shown = ghost.name
         self._choose(ghost.name)
         self._canvas.show_area(*ghost_extent(ghost))
@@ -224,11 +221,8 @@ class GhostCommands(QObject):
         if name != "Enter":
             return False
         if shift and services.state.frame is not None:
-            selected, waiting = (
-                services.state.selected_class,
-                services.state.annotation.unconfirmed,
-            )
-            if any(polyline.class_name == selected for polyline in waiting):
+            waiting = services.state.annotation.unconfirmed
+            if any(polyline.class_name == services.state.selected_class for polyline in waiting):
                 return False  # it confirms that element
             if ghosts.painted or not waiting:
                 self.accept_all()  # says why there are none
@@ -321,9 +315,6 @@ class GhostCommands(QObject):
 
     def _title(self, name: str) -> str:
         return tr(self._services.state.field.title_of(name))
-
-    def _say(self, text: str) -> None:
-        self._services.say(text)
 
 
 def _passed_end(left: int, *, last: bool) -> str:

@@ -82,9 +82,8 @@ class LabelLook:
         self._reopen = services.opening.reopener()
         active = services.state.active
         self._cameras = None if active is None else active.files
-        self._folder = (
-            folder_of_dataset(services.state.workspace.root) if services.state.workspace else None
-        )
+        workspace = services.state.workspace
+        self._folder = None if workspace is None else folder_of_dataset(workspace.root)
 
     def read(self, control: JobControl) -> LookedAt:
         """Read by the dataset's own map, and propose what the labels stand for that it leaves open.

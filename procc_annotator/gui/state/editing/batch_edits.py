@@ -190,45 +190,29 @@ def edit_frame(
         holder = editing.frame_lock.borrow(name)
         if holder is not None:
             return tr("{who} is editing it", who=holder.author or tr("somebody"))
-    put = _put_on_screen if here else _put_elsewhere
-    why = put(workspace, editing, index, change, label, kind)
+    why = _put(workspace, editing, index, change, label, kind, here=here)
     if why:
         editing.frame_lock.give_back(name)
     return why
 
 
-def _put_on_screen(
+def _put(
     workspace: Workspace,
     editing: Editing,
     index: int,
     change: Change,
     label: str,
     kind: OriginKind,
+    *,
+    here: bool,
 ) -> str:
-    editing.look_at_frame()
-    held = workspace.state(index)
-    if held.error is not None:
-        return str(held.error)
-    after = change(held.history.current)
-    if isinstance(after, str):
-        return after
-    editing.commit_edit(label, after, kind)
-    return ""
-
-
-def _put_elsewhere(
-    workspace: Workspace,
-    editing: Editing,
-    index: int,
-    change: Change,
-    label: str,
-    kind: OriginKind,
-) -> str:
-    workspace.look_again(index)
-    if workspace.state(index).error is None:
+    if here:
+        editing.look_at_frame()
+    else:
+        workspace.look_again(index)
         try:
             # Another window may have saved it since it was read here.
-            if workspace.refresh(index):
+            if workspace.state(index).error is None and workspace.refresh(index):
                 editing.saver.save(index)  # no conflict is left to be decided
         except InputError as error:
             return str(error)
@@ -239,7 +223,9 @@ def _put_elsewhere(
     after = change(before)
     if isinstance(after, str):
         return after
-    if workspace.edit(index, label, after):
+    if here:
+        editing.commit_edit(label, after, kind)
+    elif workspace.edit(index, label, after):
         editing.review.note_edit(name, before, after, kind)
         editing.review.touched(name, before, after)
     return ""

@@ -120,9 +120,7 @@ class FieldChoice(QObject):
         self.preparing: list[Callable[[Field], object]] = [sample_official]
         self._chosen = self._closed = False
         self._asked: tuple[frozenset[str], Field] | None = None
-        self._skipped_frames: set[frozenset[str]] = (
-            set()
-        )  # mismatches somebody does not want to hear of
+        self._skipped: set[frozenset[str]] = set()  # mismatches that the user ignores
         self._jobs: dict[str, Job] = {}
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
@@ -142,7 +140,7 @@ class FieldChoice(QObject):
         """The field of a dataset that is being opened; the default one if its own cannot be used,
         until its file can be."""
         folder, settings = folder_of(workspace.root), database.settings()
-        self.problem, self._skipped_frames, self._asked, self.mismatch = "", set(), None, None
+        self.problem, self._skipped, self._asked, self.mismatch = "", set(), None, None
         self.question = None
         self._cancel()
         try:
@@ -254,9 +252,7 @@ class FieldChoice(QObject):
         """Decline the proposed field, and remember it; or ignore these classes."""
         if self.question is None and self.mismatch is None:
             return
-        self._skipped_frames.add(
-            self._unknown()
-        )  # also where it is not worked out yet what they are
+        self._skipped.add(self._unknown())  # also while it is computed what they are
         self._look()
         if self.question is not None:
             self.take(self._store.state.field)
@@ -379,7 +375,7 @@ class FieldChoice(QObject):
         field = self._store.state.field
         classes = frozenset(self._store.state.annotation.annotated)
         unknown = self._unknown()
-        if not unknown or unknown in self._skipped_frames:
+        if not unknown or unknown in self._skipped:
             self._asked = None
             self._tell(None)
             return

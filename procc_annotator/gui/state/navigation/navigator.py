@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
+from procc_annotator.errors import ImageError, ProccError, UsageError
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority, after_paint
 from procc_annotator.gui.state.editing.editor import Editing, held
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
@@ -49,11 +49,13 @@ class Navigator(QObject):
         self._second, self._outside = second, outside
         # The whole picture, once half its size was painted: who walks on before spares it.
         self._whole = LatestOnlyTask(
-            self, self._fail_whole, priority=Priority.IMMEDIATE, delay_ms=0
+            self,
+            lambda text: self._end_first_look(picture_error=text),
+            priority=Priority.IMMEDIATE,
+            delay_ms=0,
         )
-        self._bringing = LatestOnlyTask(
-            self, partial(say, store, level="warning"), priority=Priority.IMMEDIATE
-        )  # the picture of a frame to come to
+        # The picture of a frame to come to; the frame itself says that it cannot be read.
+        self._bringing = LatestOnlyTask(self, None, priority=Priority.IMMEDIATE)
         self._aim = -1  # the frame that is come to once its picture is there
         self._soon = after_paint(self, self._foresee)
 
@@ -96,7 +98,7 @@ class Navigator(QObject):
         self._bringing.start(
             lambda _: self._cache.get_ready(path),
             lambda _: self._come(index),
-            failed=lambda _: self._come(index),  # the frame says itself that it cannot be read
+            failed=lambda _: self._come(index),
         )
 
     def stay(self) -> None:
@@ -123,22 +125,6 @@ class Navigator(QObject):
     def previous_frame(self) -> None:
         """Show the previous frame, if there is one."""
         self.go_to(self._store.state.frame_index - 1)
-
-    def go_to_unannotated(self, step: int) -> None:
-        """Show the nearest frame without annotation before (-1) or after (1) this one."""
-        workspace = self._store.state.workspace
-        if workspace is None:
-            return
-        index = self._store.state.frame_index + step
-        while 0 <= index < len(workspace.frames):
-            if _is_unannotated(workspace, index):
-                self.go_to(index)
-                return
-            index += step
-        if step > 0:
-            say(self._store, tr("every frame after this one is annotated"))
-        else:
-            say(self._store, tr("every frame before this one is annotated"))
 
     def leave(self) -> None:
         """The frame on screen is left, and may be another window's: what is under way is finished,
@@ -206,14 +192,11 @@ class Navigator(QObject):
         half = decode_half_size(path) if self._cache.peek(path) is None else None
         if half is None:
             return {"picture": self._cache.get(path)}
-        self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
+        self._whole.start(
+            lambda _: self._cache.get_ready(path),
+            lambda picture: self._end_first_look(picture=picture),
+        )
         return {"half": half}
-
-    def _take_whole(self, picture: PixelArray) -> None:
-        self._end_first_look(picture=picture)
-
-    def _fail_whole(self, text: str) -> None:
-        self._end_first_look(picture_error=text)
 
     def _end_first_look(self, **found: object) -> None:
         self._store.update(**found, half=None)
@@ -229,14 +212,6 @@ class Navigator(QObject):
         here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
         self._cache.prefetch([frame.image_path for frame in soon] if state.half is None else ())
         self._editing.review.foresee(frame.name for frame in (here, *soon))
-
-
-def _is_unannotated(workspace: Workspace, index: int) -> bool:
-    """Return whether a frame has no annotation yet; an unreadable one has."""
-    try:
-        return not workspace.annotated_count(index)
-    except InputError:
-        return False
 
 
 class Opening(QObject):

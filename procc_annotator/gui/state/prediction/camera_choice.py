@@ -22,7 +22,6 @@ from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.frames import Frame
-from procc_annotator.errors import InputError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
@@ -30,6 +29,7 @@ from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
 from procc_annotator.gui.state.prediction.computed_sources import ShotTrack
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import BlindLock, ReviewState
+from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.image.pixels import PixelArray
@@ -132,13 +132,8 @@ class Proposals(QObject):
             annotation = state.annotation
             bare = not annotation.annotated and not annotation.unconfirmed
             return bare and not state.why_broken and self.allowed
-        try:
-            return (
-                state.reveals(workspace.frames[index].name)
-                and workspace.annotated_count(index) == 0
-            )
-        except InputError:
-            return False
+        revealed = state.reveals(workspace.frames[index].name)
+        return revealed and not is_annotated(workspace, index)
 
     def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
         """Propose a camera; runs in a thread."""

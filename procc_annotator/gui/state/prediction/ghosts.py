@@ -51,9 +51,7 @@ class Ghosts(QObject):
         self._store, self._foresight, self._review = store, foresight, review
         self.wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
-        self._latest: FrameAnalysis | None = (
-            None  # of this frame, while a newer one is worked out too
-        )
+        self._latest: FrameAnalysis | None = None  # of this frame, while a newer one is computed
         self.painted: tuple[Ghost, ...] = ()
         self.suggestion: AnnotationSuggestion | None = None
         self.walking = False
