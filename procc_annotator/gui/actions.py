@@ -212,7 +212,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Hide the projection until the frame is committed, so that the camera cannot pull the "
           "clicks",
           checkable=True, remembered=True),
-    _spec("Frame", "lock_blind", "Lock the dataset to blind mode", "", "blind_locking.set_locked",
+    _spec("Frame", "lock_blind", "Lock the dataset to blind mode", "", "triage.set_locked",
           "Blind mode for everybody who annotates this dataset; unlocking asks, and is recorded",
           checkable=True),
     _spec("Frame", "commit", "Done", "Ctrl+Return Ctrl+Enter", "services.editing.commit_frame",
@@ -431,7 +431,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Fit a camera to the clicks of the frame after every edit", checkable=True,
           remembered=True, checked=True),
     _spec("Camera", "save_fit", "Save fit as the frame's camera", "Ctrl+Shift+T",
-          "fit_saving.save",
+          "exporter.save_fit",
           "Write the camera fitted to the clicks into the folder cameras/fitted of the dataset"),
     _spec("Camera", "field_dimensions", "Field dimensions…", "", "field_dimensions.ask",
           "Length and width of this stadium's field, entered or found from all frames; and where"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.batch.calibration import fitted_folder, save_fit
@@ -140,96 +140,6 @@ class _Saved:
     problem: str = ""
 
 
-class FitSaving(QObject):
-    """Slot of the action that saves the fit; what came of it is a message."""
-
-    def __init__(self, services: Services) -> None:
-        super().__init__(services)
-        self._services = services
-
-    def save(self) -> None:
-        """Write the fit on screen into the dataset's folder of fits, in the background."""
-        services = self._services
-        frame, workspace = opened_frame(services), services.state.workspace
-        insight = services.live_fit.insight
-        if frame is None or workspace is None:
-            return
-        if insight is None or insight.fit.camera is None:
-            failure = services.live_fit.result and services.live_fit.result.failure
-            why = tr("no camera to save: the fit is not there yet")
-            if failure:
-                why = tr("no camera to save: {why}", why=failure)
-            services.say(services.live_fit.problem or why)
-            return
-        if not services.editing.begin_edit():
-            return  # somebody else has the frame, or nobody can edit it: that is said
-        if services.live_fit.insight is not insight:
-            services.say(tr("the fit is worked out again: save it in a moment"))
-            return
-        if services.state.picture_size != insight.fit.size:
-            services.say(
-                tr(
-                    "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
-                    " size; not saved",
-                    frame=frame.name,
-                ),
-                "warning",
-            )
-            return
-        folder = fitted_folder(workspace.folder)
-        loaded = [
-            (source, source.files)
-            for source in services.state.sources
-            if source.files is not None and _same(source.files.path, folder)
-        ]
-        left_open = ill_conditioned_reason(insight.fit)
-        annotation, fit = insight.annotation, insight.fit
-        field = services.scorer.frame_setup.field.described
-
-        def work(control: JobControl) -> _Saved:
-            path = save_fit(folder, frame.name, annotation, fit, field=field)
-            try:
-                again = tuple(
-                    (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
-                )
-            except (ProccError, OSError) as error:
-                return _Saved(path, frame.name, (), left_open, str(error))
-            return _Saved(path, frame.name, again, left_open)
-
-        # Each is written, however soon the next one is asked for.
-        run_in_background(
-            work,
-            on_result=self._tell,
-            on_error=lambda text: services.say(text, "error"),
-            owner=self,
-            priority=Priority.IMMEDIATE,
-        )
-
-    def _tell(self, saved: _Saved) -> None:
-        services = self._services
-        for source, cameras in saved.again:
-            if source in services.state.sources:
-                services.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
-        if saved.problem:
-            services.say(
-                tr(
-                    "saved as {path}, but the loaded cameras could not be read again: {problem}",
-                    path=saved.path,
-                    problem=saved.problem,
-                ),
-                "warning",
-            )
-            return
-        said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
-        if saved.left_open:
-            services.say(
-                tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
-                "warning",
-            )
-        else:
-            services.say(said)
-
-
 def _same(some: Path, other: Path) -> bool:
     return os.path.realpath(some) == os.path.realpath(other)
 
@@ -332,6 +242,88 @@ class Exporter:
             ),
             "export_scores",
         )
+
+    def save_fit(self) -> None:
+        """Write the fit on screen into the dataset's folder of fits, in the background."""
+        services = self._services
+        frame, workspace = opened_frame(services), services.state.workspace
+        insight = services.live_fit.insight
+        if frame is None or workspace is None:
+            return
+        if insight is None or insight.fit.camera is None:
+            failure = services.live_fit.result and services.live_fit.result.failure
+            why = tr("no camera to save: the fit is not there yet")
+            if failure:
+                why = tr("no camera to save: {why}", why=failure)
+            services.say(services.live_fit.problem or why)
+            return
+        if not services.editing.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
+        if services.live_fit.insight is not insight:
+            services.say(tr("the fit is worked out again: save it in a moment"))
+            return
+        if services.state.picture_size != insight.fit.size:
+            services.say(
+                tr(
+                    "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
+                    " size; not saved",
+                    frame=frame.name,
+                ),
+                "warning",
+            )
+            return
+        folder = fitted_folder(workspace.folder)
+        loaded = [
+            (source, source.files)
+            for source in services.state.sources
+            if source.files is not None and _same(source.files.path, folder)
+        ]
+        left_open = ill_conditioned_reason(insight.fit)
+        annotation, fit = insight.annotation, insight.fit
+        field = services.scorer.frame_setup.field.described
+
+        def work(control: JobControl) -> _Saved:
+            path = save_fit(folder, frame.name, annotation, fit, field=field)
+            try:
+                again = tuple(
+                    (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
+                )
+            except (ProccError, OSError) as error:
+                return _Saved(path, frame.name, (), left_open, str(error))
+            return _Saved(path, frame.name, again, left_open)
+
+        # Each is written, however soon the next one is asked for.
+        run_in_background(
+            work,
+            on_result=self._tell_saved,
+            on_error=lambda text: services.say(text, "error"),
+            owner=services,
+            priority=Priority.IMMEDIATE,
+        )
+
+    def _tell_saved(self, saved: _Saved) -> None:
+        services = self._services
+        for source, cameras in saved.again:
+            if source in services.state.sources:
+                services.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
+        if saved.problem:
+            services.say(
+                tr(
+                    "saved as {path}, but the loaded cameras could not be read again: {problem}",
+                    path=saved.path,
+                    problem=saved.problem,
+                ),
+                "warning",
+            )
+            return
+        said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
+        if saved.left_open:
+            services.say(
+                tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
+                "warning",
+            )
+        else:
+            services.say(said)
 
     @property
     def _scored(self) -> CameraSet | None:

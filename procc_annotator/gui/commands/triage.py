@@ -31,40 +31,8 @@ _UNLOCKS_OWN = word(
 )
 
 
-class BlindLocking:
-    """Slot of the action that locks and unlocks."""
-
-    def __init__(self, services: Services, parent: QWidget) -> None:
-        self._services = services
-        self._parent = parent
-
-    def set_locked(self, locked: bool) -> None:
-        """Lock the dataset for everybody; unlock it once a person said so knowingly."""
-        lock = self._services.blind_lock
-        if locked or lock.lock is None or self._confirmed(lock.reason):
-            lock.set_locked(locked)
-        lock.refused.emit()  # the action shows the present state
-
-    def _confirmed(self, reason: str) -> bool:
-        shared = not self._services.review.reach
-        words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
-        box = QMessageBox(self._parent)
-        box.setObjectName("unlockBlind")
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setWindowTitle(tr("Unlock blind mode"))
-        box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(tr(words, author=self._services.state.author))
-        unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
-        keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(keep)
-        box.exec()
-        chosen = box.clickedButton() is unlock
-        box.deleteLater()
-        return chosen
-
-
 class Triage(QObject):
-    """Slots of the actions that mark a frame and export the verdicts."""
+    """Slots of the actions that mark a frame, export the verdicts and lock the dataset."""
 
     def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(parent)
@@ -181,6 +149,34 @@ class Triage(QObject):
             owner=self,
             again="export_verdicts",
         )
+
+    # --- blind mode -----------------------------------------------------------------------
+
+    def set_locked(self, locked: bool) -> None:
+        """Lock the dataset for everybody; unlock it once a person said so knowingly."""
+        lock = self._services.blind_lock
+        if locked or lock.lock is None or self._confirmed(lock.reason):
+            lock.set_locked(locked)
+        lock.refused.emit()  # the action shows the present state
+
+    def _confirmed(self, reason: str) -> bool:
+        shared = not self._services.review.reach
+        words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
+        box = QMessageBox(self._window)
+        box.setObjectName("unlockBlind")
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setWindowTitle(tr("Unlock blind mode"))
+        box.setText(f"{reason[0].upper()}{reason[1:]}.")
+        box.setInformativeText(tr(words, author=self._services.state.author))
+        unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
+        keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(keep)
+        box.exec()
+        chosen = box.clickedButton() is unlock
+        box.deleteLater()
+        return chosen
+
+    # --- inside ---------------------------------------------------------------------------
 
     def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:
         """As the frames lie in the set; those of frames that are gone behind."""
