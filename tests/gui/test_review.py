@@ -228,7 +228,7 @@ class TestTime:
         self, window, hand, monkeypatch, qtbot
     ):
         services, now = window.services, [1000.0]
-        monkeypatch.setattr(services.review, "_clock", lambda: now[0])
+        monkeypatch.setattr("procc_annotator.gui.state.review_state.monotonic", lambda: now[0])
         services.navigator.go_to(1)
         now[0] += 12.0
         hand.draw(MIDDLE, (100, 100), (200, 200))

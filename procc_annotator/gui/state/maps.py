@@ -46,7 +46,6 @@ from procc_annotator.metrics.error_maps import (
     filled_contours,
 )
 from procc_annotator.metrics.projection import ProjectedField, project_markings
-from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr
 
 
@@ -152,12 +151,7 @@ class DisagreementMap(ComputedValue[Compared]):
     """The disagreement in the frame on screen, once a person wants to see it."""
 
     def __init__(self, store: Store, source_frames: SourceFrames) -> None:
-        super().__init__(
-            self._made_of,
-            compare_cameras,
-            store,
-            enabled=False,
-        )
+        super().__init__(self._made_of, compare_cameras, store, enabled=False)
         self._store, self._source_frames = store, source_frames
         store.keep_current(self, source_frames.changed, when=When.NOW)
 
@@ -388,12 +382,7 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
         live_fit: LiveFit,
         disagreement: DisagreementMap,
     ) -> None:
-        super().__init__(
-            self._made_of,
-            know_ground,
-            store,
-            enabled=False,
-        )
+        super().__init__(self._made_of, know_ground, store, enabled=False)
         self._store, self._live_fit = store, live_fit
         self._disagreement = disagreement
         store.keep_current(self, live_fit.changed, when=When.NOW)
@@ -436,7 +425,9 @@ class LineWidths(ComputedValue[ProjectedField]):
     """The borders of painted lines, once a person wants to see them."""
 
     def __init__(self, store: Store, judge: FrameScorer) -> None:
-        super().__init__(self._made_of, _project, store, enabled=False)
+        super().__init__(
+            self._made_of, lambda *inputs: project_markings(*inputs), store, enabled=False
+        )
         self._store, self._judge = store, judge
         self.failed.connect(self._say)
         store.watch(select.score, self.retry)
@@ -447,7 +438,3 @@ class LineWidths(ComputedValue[ProjectedField]):
 
     def _say(self, text: str) -> None:
         say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")
-
-
-def _project(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
-    return project_markings(camera, setup)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
+from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -45,8 +46,6 @@ _POLL_MS = 2000
 _COLLECT_MS = 50  # after it was begun to look what others wrote
 
 _NO_RECORD = FrameRecord()
-
-
 _JUDGED = (Status.APPROVED, Status.REJECTED)
 
 
@@ -60,20 +59,16 @@ class ReviewState(QObject):
     settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
     failed = Signal(str)  # one line, told once per reason
 
-    def __init__(
-        self, parent: QObject | None = None, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.database: WorkspaceDatabase | None = None
-        self._clock = clock
         self._origins: dict[str, dict[PointKey, Origin]] = {}
         self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
         self._frame: str | None = None
         self._last_activity: float | None = None
         self._seconds = 0.0
         self._told: tuple[str, ...] = ()
-        self._poll_timer = QTimer(self)
-        self._poll_timer.setInterval(_POLL_MS)
+        self._poll_timer = QTimer(self, interval=_POLL_MS)
         self._poll_timer.timeout.connect(self.poll)
         self._collect_soon = QTimer(self, singleShot=True, interval=_COLLECT_MS)
         self._collect_soon.timeout.connect(self._collect)
@@ -297,13 +292,13 @@ class ReviewState(QObject):
         """Another frame is on screen: its time begins."""
         self.leave()
         self._frame = frame
-        self._last_activity = self._clock()
+        self._last_activity = monotonic()
         if frame is not None and self.database is not None:
             self.database.last_frame = frame
 
     def note_activity(self) -> None:
         """Count the time since the last activity as work, unless it was a long pause."""
-        now = self._clock()
+        now = monotonic()
         if self._last_activity is not None:
             self._seconds += max(0.0, min(now - self._last_activity, IDLE_S))
         self._last_activity = now
@@ -415,12 +410,10 @@ class BlindLock(QObject):
             self._locking = True
             review.set_setting(LOCK_SETTING, write_events((*events, event)))
             self._locking = False
-            said = [
-                tr("this dataset is locked to blind mode")
-                if locked
-                else tr("this dataset is not locked to blind mode any more")
-            ]
-            say(self._store, ", ".join(filter(None, (*said, review.reach))))
+            said = tr("this dataset is not locked to blind mode any more")
+            if locked:
+                said = tr("this dataset is locked to blind mode")
+            say(self._store, ", ".join(filter(None, (said, review.reach))))
 
     # --- inside ---
 
@@ -432,9 +425,8 @@ class BlindLock(QObject):
         return {"blind_lock": lock, "blind": self.wanted or lock is not None}
 
     def _said(self, event: LockEvent) -> str:
-        if not event.time:
-            words = tr("This dataset is locked to blind mode")
-        else:
+        words = tr("This dataset is locked to blind mode")
+        if event.time:
             words = _who_and_when(event)
         reach = self._review.reach
         return f"{words} ({reach})" if reach else words

@@ -29,7 +29,7 @@ class FileWatch(QObject):
 
     changed = Signal()  # it may hold something else now, or be gone
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.path: Path | None = None
         self._seen: Stamp = None

@@ -26,17 +26,15 @@ class FrameLock(QObject):
     changed = Signal()  # somebody else took or left the frame on screen
     freed = Signal()  # the frame on screen may be edited again; its file may be newer
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._locks: FrameLocks | None = None
         self._frame: str | None = None
         self._owned = False
         self.holder: LockHolder | None = None
-        self._beat_timer = QTimer(self)
-        self._beat_timer.setInterval(BEAT_MS)
+        self._beat_timer = QTimer(self, interval=BEAT_MS)
         self._beat_timer.timeout.connect(self.beat)
-        self._look_timer = QTimer(self)
-        self._look_timer.setInterval(_LOOK_MS)
+        self._look_timer = QTimer(self, interval=_LOOK_MS)
         self._look_timer.timeout.connect(self.look)
 
     def set_dataset(self, root: Path | None, author: str) -> None:
@@ -168,7 +166,7 @@ class Saver(QObject):
     failed = Signal(str)  # one line, told once per reason
     reloaded = Signal(int)  # frame index: the annotation is now the one on disk
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._workspace: Workspace | None = None
         self._problems: dict[int, SaveError] = {}
@@ -176,8 +174,7 @@ class Saver(QObject):
         self._again: set[int] = set()  # edited since, or not begun with yet
         self._soon = after_paint(self, self._begin)
         self.saved_at: datetime | None = None
-        self.retry_timer = QTimer(self)
-        self.retry_timer.setInterval(RETRY_MS)
+        self.retry_timer = QTimer(self, interval=RETRY_MS)
         self.retry_timer.timeout.connect(self.retry)
 
     def set_workspace(self, workspace: Workspace | None) -> None:

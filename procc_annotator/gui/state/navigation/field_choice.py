@@ -42,7 +42,7 @@ from procc_annotator.gui.state.editing.outside_changes import FileWatch
 from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.scoring.commands import EvaluationSettings
-from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.translation import tr
 
 
@@ -141,7 +141,7 @@ class FieldChoice(QObject):
         store.events.aboutToLeave.connect(self._finish_size)
         store.watch(select.dataset, self._begin)
         store.watch(select.field, self._watch_file)
-        store.watch(lambda s: (select.annotation(s), s.field), self._matching.invalidate)
+        store.keep_current(self._matching, when=When.NOW)
         store.watch(lambda s: (select.annotation(s), s.field, s.selection), self._forget_refusal)
 
     @property

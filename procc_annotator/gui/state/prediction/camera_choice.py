@@ -9,7 +9,6 @@ something is annotated after it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
@@ -242,32 +241,23 @@ def _look_at(
 _KEPT = 8
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class CameraChoice:
-    """A camera that was found without clicks, or dragged.
-
-    Attributes:
-        fit: the camera; None if none was found.
-        doubt: why it should be checked first; empty if it is sure.
-    """
-
-    fit: FitResult | None = None
-    doubt: str = ""
-
-
 def choose_camera(
     corrected: CameraCorrection | None, tracked: TrackedFrame | None, proposal: Proposal | None
-) -> CameraChoice:
-    """Return the camera to predict with: the one dragged by hand, else that of the track, else the
-    proposed one."""
+) -> tuple[FitResult | None, str]:
+    """Choose the camera to predict with: the one dragged by hand, else that of the track, else the
+    proposed one.
+
+    Returns:
+        The camera, None if there is none, and why it should be checked first; empty if it is sure.
+    """
     if corrected is not None:
-        return CameraChoice(corrected.fit, corrected.why_not)
+        return corrected.fit, corrected.why_not
     if tracked is not None and tracked.fit is not None and tracked.fit.camera is not None:
-        return CameraChoice(tracked.fit, review_reason(tracked))
+        return tracked.fit, review_reason(tracked)
     if proposal is None:
-        return CameraChoice()
+        return None, ""
     doubt = "" if proposal.state == SURE else proposal.reason
-    return CameraChoice(None if proposal.fit.camera is None else proposal.fit, doubt)
+    return (None if proposal.fit.camera is None else proposal.fit), doubt
 
 
 class PredictionSource(QObject):
@@ -321,7 +311,7 @@ class PredictionSource(QObject):
     @property
     def found(self) -> FitResult | None:
         """The camera of the frame on screen that was found without clicks, or dragged."""
-        return self._choice.fit
+        return self._choice[0]
 
     @property
     def insight(self) -> FrameAnalysis | None:
@@ -334,7 +324,7 @@ class PredictionSource(QObject):
     @property
     def doubt(self) -> str:
         """Why the camera that stands in should be examined first; empty where it is sure."""
-        return self._choice.doubt
+        return self._choice[1]
 
     @property
     def stands_in(self) -> bool:
@@ -345,9 +335,9 @@ class PredictionSource(QObject):
     # --- inside ---
 
     @property
-    def _choice(self) -> CameraChoice:
+    def _choice(self) -> tuple[FitResult | None, str]:
         if not self._proposals.allowed or self._store.state.frame is None:
-            return CameraChoice()
+            return None, ""
         return choose_camera(self._corrections.here, self._track.here, self._proposals.here)
 
     def _made_of(self) -> Inputs | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -47,7 +47,6 @@ class EvaluationSettings(QObject):
         self,
         protocol: str | None = None,
         *,
-        size: tuple[int, int] | None = None,
         off_plane: str | None = None,
     ) -> None:
         """Change the terms of the evaluation."""
@@ -55,7 +54,6 @@ class EvaluationSettings(QObject):
         other = replace(
             setup,
             protocol=protocol or setup.protocol,
-            size=size or setup.size,
             off_plane=off_plane or setup.off_plane,
         )
         if other != setup:
@@ -202,15 +200,14 @@ class CameraSourceCommands(QObject):
         source = self.add_source(cameras)
         if name is not None:
             self.rename_source(source, name)
-        remarks = [*cameras.notices, *self._no_match(cameras)]
+        remarks = [*cameras.notices, *filter(None, [self._no_match(cameras)])]
         if remarks:
             say(self._store, "; ".join(remarks), "warning")
         return True
 
     def _only_below(self, cameras: CameraSet) -> bool:
-        """Return whether all cameras lie in folders of it, and none by the place of a frame:
-        sets of
-        their own."""
+        """Return whether all cameras are in folders of it, and none by the place of a frame: sets
+        of their own."""
         return self._none_matches(cameras) and all("/" in name for name in cameras.frames)
 
     def _none_matches(self, cameras: CameraSet) -> bool:
@@ -218,18 +215,18 @@ class CameraSourceCommands(QObject):
         frames = workspace.frames if workspace is not None else ()
         return bool(frames) and not any(frame.name in cameras.frames for frame in frames)
 
-    def _no_match(self, cameras: CameraSet) -> Iterator[str]:
+    def _no_match(self, cameras: CameraSet) -> str:
         """Return what to say of cameras that belong to no frame of the dataset."""
         workspace = self._store.state.workspace
-        if workspace is not None and self._none_matches(cameras):
-            frames = workspace.frames
-            yield tr(
-                "{path}: no camera has the name of a frame (cameras are named like {camera!r},"
-                " frames like {frame!r})",
-                path=cameras.path,
-                camera=next(iter(cameras.frames)),
-                frame=frames[0].name,
-            )
+        if workspace is None or not self._none_matches(cameras):
+            return ""
+        return tr(
+            "{path}: no camera has the name of a frame (cameras are named like {camera!r},"
+            " frames like {frame!r})",
+            path=cameras.path,
+            camera=next(iter(cameras.frames)),
+            frame=workspace.frames[0].name,
+        )
 
     def add_source(
         self,

@@ -89,7 +89,7 @@ class SourceFrames(QObject):
 
     changed = Signal()  # more is known of the frame on screen
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._known: OrderedDict[_Key, SourceFrame] = OrderedDict()
         self._kept = _FEWEST
