@@ -80,8 +80,7 @@ class FieldPreview(QMainWindow):
         self.remarks.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._assemble()
         self._reading = LatestOnlyTask(self, self.problem_bar.tell)
-        self._watch = FileWatch(self)
-        self._watch.changed.connect(self.read)
+        self._watch = FileWatch(self, self.read)
         if Path(source).suffix.lower() == ".toml":
             self._watch.watch(Path(source).absolute())
         self.setWindowTitle(str(source))

@@ -44,7 +44,6 @@ _AS_THEY_WERE = word(
 
 
 def _with_unconfirmed(words: str, count: int) -> str:
-    """Return what came of it, and how many points show no paint."""
     if not count:
         return words
     unconfirmed = tr_count(

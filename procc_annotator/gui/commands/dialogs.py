@@ -78,7 +78,6 @@ class DialogTask(QObject):
         services.store.watch(select.dataset, self._leave)
 
     def _leave(self) -> None:
-        """Close the dialog, and cancel its work."""
         self._work.cancel()
         dialog, self.dialog = self.dialog, None
         if dialog is not None:

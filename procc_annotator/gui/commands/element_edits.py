@@ -219,7 +219,6 @@ class ElementEdits:
     # --- inside ---------------------------------------------------------------------------
 
     def _selected(self) -> str | None:
-        """The selected class if it is annotated; else says so. What is under way ends first."""
         self._services.store.events.aboutToLeave.emit()
         name = self._services.state.selected_class
         polyline = self._touched(name).get(name) if name is not None else None

@@ -333,7 +333,6 @@ class Exporter:
         return active.files if active is not None else None
 
     def _why_none_scored(self) -> str:
-        """Return why no JaC can be exported; empty if it can."""
         active = self._services.state.active
         if active is None:
             return no_source(self._services.state)

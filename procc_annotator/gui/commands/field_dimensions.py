@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 from html import escape
+from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPalette
@@ -103,13 +104,12 @@ class FieldDimensionsDialog(TaskDialog):
         self.setMinimumWidth(max(_WIDTH, self.minimumSizeHint().width()))
 
     def _form(self) -> QFormLayout:
-        """A row a dimension, with what the rules say of it, and where the clicks lie."""
         form = QFormLayout()
         for dimension in self._dimensions:
             box = self.boxes[dimension.name] = _box(dimension)
             box.valueChanged.connect(self._changed)
-            box.refused.connect(partial(self._tell_refused, dimension))
-            box.lineEdit().textEdited.connect(partial(self._tell_rule, dimension))
+            box.refused.connect(partial(self._tell_rule, dimension))
+            box.lineEdit().textEdited.connect(lambda _, d=dimension: self._tell_rule(d))
             row = QHBoxLayout()
             row.addWidget(box)
             rule = self.rules[dimension.name] = QLabel()
@@ -196,31 +196,27 @@ class FieldDimensionsDialog(TaskDialog):
         self.lines_box.blockSignals(blocked)
         self.set_values({d.name: d.nominal for d in self._dimensions})
 
-    def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
-        d, label = dimension, self.rules[dimension.name]
-        label.setText(
-            tr(
+    def _tell_rule(self, dimension: Dimension, refused: float | None = None) -> None:
+        """Show what the rules allow, and that they do not allow a number."""
+        name, label = dimension.name, self.rules[dimension.name]
+        limits: dict[str, Any] = {"minimum": dimension.minimum, "maximum": dimension.maximum}
+        if refused is None:
+            words = tr(
                 "nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m",
-                nominal=d.nominal,
-                minimum=d.minimum,
-                maximum=d.maximum,
+                nominal=dimension.nominal,
+                **limits,
             )
-        )
-        label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        self._refused.discard(d.name)
-
-    def _tell_refused(self, dimension: Dimension, number: float) -> None:
-        d, label = dimension, self.rules[dimension.name]
-        label.setText(
-            tr(
+            label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            self._refused.discard(name)
+        else:
+            words = tr(
                 "<b>not {number:g} m: the rules allow {minimum:g} to {maximum:g} m</b>",
-                number=number,
-                minimum=d.minimum,
-                maximum=d.maximum,
+                number=refused,
+                **limits,
             )
-        )
-        label.setForegroundRole(QPalette.ColorRole.WindowText)
-        self._refused.add(d.name)
+            label.setForegroundRole(QPalette.ColorRole.WindowText)
+            self._refused.add(name)
+        label.setText(words)
 
     def _changed(self) -> None:
         self._tell_official()

@@ -139,7 +139,6 @@ class ShotWalk(QObject):
         return False
 
     def _play_on(self) -> None:
-        """Go to the next frame, unless a person went elsewhere or the last one is there."""
         services, at = self._services, self._at
         sequence = services.sequence.value
         if at is None or sequence is None:
@@ -394,7 +393,6 @@ class WorstFirst(QObject):
         self._tell(order, walk, tr("from the worst again") if again else "")
 
     def _tell(self, order: Order, walk: _Walk, more: str) -> None:
-        """Say where in a walk the frame on screen is."""
         frame = self._services.state.frame
         if frame is not None:
             said = tr(
@@ -416,7 +414,6 @@ class WorstFirst(QObject):
     # --- comparing ------------------------------------------------------------------------
 
     def _pair(self) -> tuple[CameraSource, CameraSource] | None:
-        """The active source and the one it is held against."""
         active, other = self._services.state.active, self._services.state.compared
         return None if active is None or other is None else (active, other)
 
@@ -461,7 +458,6 @@ class WorstFirst(QObject):
         self._services.say(text, "error")
 
     def _forget(self) -> None:
-        """Another dataset was opened."""
         self._ranking.cancel()
         if self._comparing.cancel():
             self.progressed.emit(0, 0)

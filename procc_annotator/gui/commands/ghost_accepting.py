@@ -31,10 +31,6 @@ _MOST_WAIT_S = 1.0
 AllPoints = tuple[GhostPoints, ...]
 
 
-def _nothing() -> None:
-    """Nothing comes after it."""
-
-
 @dataclass(frozen=True, eq=False)
 class _Accepting:
     """Ghosts to be accepted once their points are found, and what comes after that."""
@@ -118,7 +114,7 @@ class GhostAccepting(QObject):
             title = self._title(ghost.name)
             self._say(tr("{element} is accepted once its points are found", element=title))
 
-    def accept_all(self, then: Callable[[], None] = _nothing) -> None:
+    def accept_all(self, then: Callable[[], None] = lambda: None) -> None:
         """Make all ghosts elements whose lines are seen well enough.
 
         Args:
@@ -189,11 +185,9 @@ class GhostAccepting(QObject):
         )
 
     def _say_with_unsure(self, words: str, found: AllPoints, more: str = "") -> None:
-        """Say it with the ends that the picture does not show."""
         self._say("; ".join(filter(None, (words, self._unsure(found), more))))
 
     def _unsure(self, found: AllPoints) -> str:
-        """Return what is said of ends that the picture does not show."""
         ends = sum(f.unsure_ends for f in found)
         if not ends:
             return ""
@@ -242,7 +236,7 @@ class GhostAccepting(QObject):
         ghosts: tuple[Ghost, ...],
         *,
         everything: bool,
-        then: Callable[[], None] = _nothing,
+        then: Callable[[], None] = lambda: None,
     ) -> bool:
         """Have the points of ghosts found in the background; most are known already."""
         services, field = self._services, self._services.state.sized_field

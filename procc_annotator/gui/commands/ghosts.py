@@ -73,7 +73,6 @@ class GhostCommands(QObject):
         self._canvas.focusNextPrevChild(True)
 
     def _why_none(self) -> str:
-        """Return why there is no ghost to go to or to accept; empty if there is one."""
         foresight, insight = self._services.prediction, self._ghosts.insight
         if why := no_frame(self._services.state):
             return why
@@ -124,10 +123,6 @@ class GhostCommands(QObject):
         reach = tones.PICK_RADIUS_PX / canvas.view_scale
         return nearest_ghost(self._ghosts.known, at, reach)
 
-    def look_at(self, name: str) -> None:
-        """Go to the ghost of a class."""
-        self._ghosts.go_to(name)
-
     def accept_named(self, name: str) -> None:
         """Accept the ghost of a class without going there."""
         ghost = self._ghosts.named(name)
@@ -165,7 +160,6 @@ class GhostCommands(QObject):
             self._choose(self._chosen_before(before))
 
     def _chosen_before(self, before: _Before | None) -> str | None:
-        """The element that was chosen before the walk."""
         if before is None or before.frame != self._services.state.frame:
             return None
         return before.selected
@@ -318,7 +312,6 @@ class GhostCommands(QObject):
 
 
 def _passed_end(left: int, *, last: bool) -> str:
-    """Return what is said at the end of a walk, forward or back."""
     if last:
         return tr_count(
             left,

@@ -154,8 +154,6 @@ class AnnotationImporter(DialogTask):
     def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(services, parent)
         self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
-        self._edits.progressed.connect(self._advance)
-        self._edits.finished.connect(self._finish)
 
     def ask(self) -> None:
         """Show the dialog."""
@@ -225,13 +223,12 @@ class AnnotationImporter(DialogTask):
         super()._leave()
 
     def _take(self, read: ReadSet) -> None:
-        """Begin to save what was read."""
         workspace = self._services.state.workspace
         assert workspace is not None
         self._imported = read
         self._unmatched = [name for name in read.frames if name not in workspace.index]
         indices = [workspace.index[name] for name in read.frames if name in workspace.index]
-        self._edits.start(indices, partial(self._take_one, workspace))
+        self._edits.start(indices, partial(self._take_one, workspace), self._finish, self._advance)
 
     def _take_one(self, workspace: Workspace, index: int) -> str:
         incoming = self._imported.frames[workspace.frames[index].name].annotation
@@ -285,7 +282,6 @@ class AnnotationImporter(DialogTask):
 
 
 def _said(outcome: EditedFrames, format_title: str) -> list[str]:
-    """Return what came of an import, a line each."""
     reasons = Counter(why for _, why in outcome.left)
     annotated, same = reasons[LeftAlone.ANNOTATED], reasons[LeftAlone.SAME]
     imported = tr_count(

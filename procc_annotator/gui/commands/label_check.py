@@ -137,7 +137,6 @@ class LabelCheckCommands(QObject):
         self._services.say("; ".join(filter(None, (said, remedy))))
 
     def _named(self, elements: tuple[str, ...]) -> str:
-        """One or two elements by name, more by their number."""
         if len(elements) > _MOST_NAMED:
             return tr_count(len(elements), "{n} element", "{n} elements")
         titles = [self._title(name) for name in elements]
@@ -237,7 +236,6 @@ class LabelCheckCommands(QObject):
         services.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
     def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
-        """Return what a remedy has done, in words."""
 
         def title(name: str) -> TranslatableText:
             return translatable(self._services.state.field.title_of(name))

@@ -305,7 +305,6 @@ def _place(cameras: CameraSet) -> tuple[Path, str]:
 
 
 def _read(entries: list[object]) -> list[RememberedSource]:
-    """Return what can be understood of what is written down."""
     remembered = []
     for entry in entries:
         with suppress(msgspec.ValidationError):

@@ -115,9 +115,10 @@ class ShotFollowing(QObject):
 
     def stop(self) -> None:
         """Follow no further; the frames that came stay."""
+        track = self._services.shot_track
         if self._work.stop_keep_partial():
             self.changed.emit()
-            self._services.shot_track.keep()
+            track.replace(track.tracked, track.cuts)
             self._services.say(
                 tr("stopped; what was followed so far stays")
                 if self._far[0]
@@ -254,7 +255,6 @@ class ShotFollowing(QObject):
 
 
 def _followed(frames: int, doubtful: int) -> str:
-    """Return what came of a shot."""
     if not doubtful:
         return tr_count(
             frames,

@@ -315,7 +315,6 @@ def _preview(names: tuple[str, ...], pattern: str) -> Preview:
 
 
 def _nothing(names: tuple[str, ...]) -> Preview:
-    """Return the names without groups, for an empty pattern."""
     rows = Preview.of(NamedViews(ViewGroups(), names)).rows
     counts = tr_count(len(names), "{n:,} frame, none grouped.", "{n:,} frames, none grouped.")
     return Preview(ViewGroups(), rows, counts=counts)

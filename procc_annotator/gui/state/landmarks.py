@@ -149,15 +149,13 @@ class Landmarks(QObject):
         self._clicked.changed.connect(self._take_scan)
         self._clicked.failed.connect(partial(say, store, level="error"))
         self.triangulation = LandmarkTriangulation(store, live_fit, self)
-        self.triangulation.changed.connect(self.changed)
         self.ellipses = ComputedValue(self._to_project, _project, self, background=False)
         store.keep_current(self.ellipses, live_fit.changed)
         self._writes = 0  # of both files that were seen
         self._read = ComputedValue(self._to_read, _read, self)
         self._read.changed.connect(self._take_read)
-        self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
-        for watch in self._watches.values():
-            watch.changed.connect(self.read_again)
+        names = LANDMARKS_FILE, VIEWS_FILE
+        self._watches = {name: FileWatch(self, self.read_again) for name in names}
         store.watch(select.annotation, self._look_at_frame)
         store.events.framesEdited.connect(self._look_again)
         store.watch(select.field, self._try_again)
@@ -265,7 +263,6 @@ class Landmarks(QObject):
         self._read.invalidate()
 
     def _watch(self, workspace: Workspace | None) -> None:
-        """Watch the files of this dataset from now on; None: of none."""
         self._read.clear()
         self._writes = 0
         for name, watch in self._watches.items():
@@ -399,8 +396,6 @@ class LandmarkTriangulation(QObject):
         working: name of the landmark that is being triangulated; empty for none.
     """
 
-    changed = Signal()  # whether one is being triangulated
-
     def __init__(self, store: Store, live_fit: LiveFit, landmarks: Landmarks) -> None:
         super().__init__(store)
         self._store, self._live_fit = store, live_fit
@@ -413,7 +408,7 @@ class LandmarkTriangulation(QObject):
         if self.working and name in (None, self.working):
             self._task.cancel()
             self.working = ""
-            self.changed.emit()
+            self._landmarks.changed.emit()
 
     def why_kept(self, name: str) -> str:
         """Why a landmark is not to be triangulated; empty where it may be."""
@@ -453,7 +448,7 @@ class LandmarkTriangulation(QObject):
 
         self.working = name
         self._task.start(work, self._located)
-        self.changed.emit()
+        self._landmarks.changed.emit()
 
     def _located(self, outcome: FoundInDataset) -> None:
         name, landmarks, store = self.working, self._landmarks, self._store
@@ -471,9 +466,9 @@ class LandmarkTriangulation(QObject):
             return landmarks.file if deleted else with_positions(landmarks.file, found)
 
         if not found:
-            self.changed.emit()
+            self._landmarks.changed.emit()
         elif not landmarks.edit(placed):
-            self.changed.emit()
+            self._landmarks.changed.emit()
             return  # it was said why
         if deleted:
             title = tr(name.strip())
@@ -489,7 +484,7 @@ class LandmarkTriangulation(QObject):
     def _not_located(self, text: str) -> None:
         self.working = ""
         say(self._store, text, "warning")
-        self.changed.emit()
+        self._landmarks.changed.emit()
 
 
 def _words(one: LocatedLandmark) -> str:

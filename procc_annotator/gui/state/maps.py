@@ -187,7 +187,6 @@ class DisagreementMap(ComputedValue[Compared]):
 
 
 def _why_not(names: tuple[str, str], cameras: Sequence[CameraOrProjections | None]) -> str:
-    """Why two cameras cannot be compared; empty where they can."""
     named = list(zip(names, cameras, strict=True))
     without = [name for name, camera in named if camera is None]
     if without:

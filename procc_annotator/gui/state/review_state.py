@@ -57,10 +57,10 @@ class ReviewState(QObject):
     originsChanged = Signal()  # how the points of the frame on screen came to be
     notVisibleChanged = Signal(str)  # frame; of another window's doing only that on screen
     settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
-    failed = Signal(str)  # one line, told once per reason
 
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, store: Store) -> None:
+        super().__init__(store)
+        self._store = store
         self.database: WorkspaceDatabase | None = None
         self._origins: dict[str, dict[PointKey, Origin]] = {}
         self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
@@ -344,7 +344,7 @@ class ReviewState(QObject):
         before, self._told = self._told, (*database.notices, database.problem)
         for line in filter(None, self._told):
             if line not in before:
-                self.failed.emit(line)
+                say(self._store, line, "warning")
 
 
 class BlindLock(QObject):

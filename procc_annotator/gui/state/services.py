@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from PySide6.QtCore import QObject
 
 from procc_annotator.dataset.records import default_author
@@ -21,7 +19,7 @@ from procc_annotator.gui.state.maps import (
     UncertaintyMap,
     VisibleFieldRegion,
 )
-from procc_annotator.gui.state.messages import notify, say, withdraw
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.navigation.field_choice import FieldChoice
 from procc_annotator.gui.state.navigation.navigator import Navigator, Opening
 from procc_annotator.gui.state.prediction.camera_choice import (
@@ -46,7 +44,7 @@ from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFra
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
 from procc_annotator.gui.state.sequences import AnnotatedIndices, OpenSequence
-from procc_annotator.gui.state.state import UNSAVED, Level, State
+from procc_annotator.gui.state.state import Level, State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -74,13 +72,12 @@ class Services(QObject):
         setup = EvaluationSetup(field if field is not None else load_field())
         self.store = store = Store(State(setup, author=default_author()), self)
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
-        self.review = ReviewState(self)
-        self.saver, self.frame_lock = Saver(self), FrameLock(self)
-        self.source_frames, self.dataset_scores = SourceFrames(self), DatasetScores(store)
+        self.review = ReviewState(store)
+        self.saver, self.frame_lock = Saver(store), FrameLock(store)
+        self.source_frames, self.dataset_scores = SourceFrames(store), DatasetScores(store)
         self.scorer = FrameScorer(store, self.source_frames)
         self.scoring = DatasetScoring(store, self.scorer, self.source_frames, self.dataset_scores)
         store.score = self.scoring.follow
-        self._listen()
         self._make_commands()
         self._make_watches()
 
@@ -90,13 +87,6 @@ class Services(QObject):
         return self.store.state
 
     # --- assembly -----------------------------------------------------------------------------
-
-    def _listen(self) -> None:
-        """Put into the state what services find by themselves."""
-        self.review.failed.connect(partial(say, self.store, level="warning"))
-        self.saver.failed.connect(self._say_unsaved)
-        self.saver.changed.connect(self._take_unsaved)
-        self.frame_lock.changed.connect(self._take_holder)
 
     def _make_commands(self) -> None:
         store, review = self.store, self.review
@@ -186,14 +176,3 @@ class Services(QObject):
         self.frame_lock.close()
         self.review.set_database(None)
         self.cache.close()
-
-    def _take_unsaved(self) -> None:
-        self.store.update(unsaved=self.saver.problems)
-        if not self.state.unsaved:
-            withdraw(self.store, UNSAVED)
-
-    def _take_holder(self) -> None:
-        self.store.update(holder=self.frame_lock.holder)
-
-    def _say_unsaved(self, text: str) -> None:
-        notify(self.store, UNSAVED, text, "error", remedy="save")

@@ -172,7 +172,7 @@ def _ignore(label_check: LabelCheckCommands, services: Services, found: StoredFi
 def _add_ghost(menu: QMenu, services: Services, tasks: GhostCommands, name: str) -> None:
     menu.addSection(tr("Ghost of {title}", title=class_title(services.state.field, name)))
     menu.addAction(tr("Accept"), lambda: tasks.accept_named(name))
-    menu.addAction(tr("Look closely"), lambda: tasks.look_at(name))
+    menu.addAction(tr("Look closely"), lambda: services.ghosts.go_to(name))
     menu.addAction(tr("Not visible here"), lambda: tasks.set_not_visible(name, True))
     menu.addSection(tr("Frame"))
 

@@ -134,7 +134,13 @@ class LabelCheck(QObject):
         self.set_checked = False
         self.known = KnownChecks(store, review)
         self._current: tuple[str, str] | None = None  # frame and key
-        self._runner = CheckRunner(store, live_fit, self)
+        self._runner = CheckRunner(
+            store,
+            live_fit,
+            arrived=self._take_arrived,
+            progressed=self.progressed.emit,
+            finished=self._take_end,
+        )
         self._check = ComputedValue(self._to_check, _check, self, cache_size=_KEPT)
         self._content = ComputedValue(self._annotation, content_of, self, background=False)
         self._committed = store.state.committed
@@ -156,9 +162,6 @@ class LabelCheck(QObject):
         store.watch(select.committed, self._take_commit)
         store.events.annotationEdited.connect(self._note_edit)
         store.events.framesEdited.connect(self._take_edited)
-        self._runner.arrived.connect(self._take_arrived)
-        self._runner.progressed.connect(self.progressed)
-        self._runner.finished.connect(self._take_end)
 
     # --- what is known ----------------------------------------------------------------------
 
@@ -289,7 +292,6 @@ class LabelCheck(QObject):
         self.framesChanged.emit(name)
 
     def _take_blind(self) -> None:
-        """Blind mode is on or off: other findings may be shown."""
         self.set_checked = False
         self._look()
         self.framesChanged.emit("")

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from time import perf_counter
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.records import OriginKind
@@ -49,9 +49,6 @@ class BatchEdits(QObject):
     """Goes through frames, one run at a time. Edits are made on the interface thread: a slice of
     them between what else happens there."""
 
-    progressed = Signal(int, int)  # frames that were gone through, and all
-    finished = Signal(object)  # EditedFrames
-
     def __init__(
         self,
         store: Store,
@@ -75,9 +72,17 @@ class BatchEdits(QObject):
         """Return whether frames are still to be edited or written."""
         return self._outcome is not None
 
-    def start(self, indices: Sequence[int], edit: EditFrame) -> None:
-        """Edit these frames in their order."""
+    def start(
+        self,
+        indices: Sequence[int],
+        edit: EditFrame,
+        finished: Callable[[EditedFrames], None],
+        progressed: Callable[[int, int], None] | None = None,
+    ) -> None:
+        """Edit these frames in their order; ``progressed`` receives how many of how many are
+        done."""
         self._edit, self._stopped = edit, False
+        self._finished, self._progressed = finished, progressed
         self._waiting, self._batch, self._written = list(indices)[::-1], [], []
         self._outcome = EditedFrames(len(indices))
         self._next.start()
@@ -126,7 +131,8 @@ class BatchEdits(QObject):
             else:
                 outcome.unsaved.append((index, str(problem)))
         self._written = []
-        self.progressed.emit(outcome.total - len(self._waiting), max(1, outcome.total))
+        if self._progressed is not None:
+            self._progressed(outcome.total - len(self._waiting), max(1, outcome.total))
         if self._waiting and not self._stopped:
             self._next.start()
         else:
@@ -139,7 +145,7 @@ class BatchEdits(QObject):
         if outcome.edited and workspace is not None:
             self._store.events.framesEdited.emit(outcome.edited)
             self._auditing.frames_edited([workspace.frames[i].name for i in outcome.edited])
-        self.finished.emit(outcome)
+        self._finished(outcome)
 
 
 # Given what a frame holds: what it is to hold, or why it is to stay as it is.

@@ -60,7 +60,7 @@ class Editing(QObject):
             return False
         if self.frame_lock.still_owned():
             return True
-        if not self._acquire():
+        if not self.frame_lock.acquire():
             self._say_held()
             return False
         self.take_newer_file()  # whoever edits looks at `annotation` again from here on
@@ -92,7 +92,7 @@ class Editing(QObject):
         # The lock may have been lost in the middle of a gesture (the machine slept). What was
         # clicked is kept all the same, and the file is not read again now: what was made from the
         # older one would pass for made from the newer one. The save notices that they differ.
-        if not self._acquire():
+        if not self.frame_lock.acquire():
             self._say_held()
         workspace.edit(state.frame_index, label, annotation)
         self.review.note_edit(frame.name, before, annotation, kind, snapped, unseen)
@@ -257,7 +257,6 @@ class Editing(QObject):
         self._warned_of, self._empty_asked = None, False
 
     def _show(self, workspace: Workspace, *, stepped: bool = False) -> None:
-        """Show what the frame holds now."""
         state = self._store.state
         now = workspace.state(state.frame_index).history.current
         chosen = that_survives(state.selection, state.annotation, now, stepped=stepped)
@@ -328,12 +327,6 @@ class Editing(QObject):
             self._warned_of = None
             self._show(state.workspace, stepped=True)
             self._auditing.frame_edited()
-
-    def _acquire(self) -> bool:
-        """Return whether the frame is this window's: anyone who had it may have left it by now."""
-        owned = self.frame_lock.acquire()
-        self._store.update(holder=self.frame_lock.holder)
-        return owned
 
     def _say_held(self) -> None:
         say(self._store, self._store.state.why_not_editable, "warning")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer
 
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.saving import Stamp, stamp_of
@@ -27,18 +27,23 @@ _SETTLED_MS = 120  # editors write in several steps
 class FileWatch(QObject):
     """Watches one file: it may be written, replaced, taken away and put back."""
 
-    changed = Signal()  # it may hold something else now, or be gone
+    def __init__(self, parent: QObject, written: Callable[[], object]) -> None:
+        """Watch nothing yet.
 
-    def __init__(self, parent: QObject) -> None:
+        Args:
+            parent: owns it.
+            written: called when the file may hold something else, or is gone.
+        """
         super().__init__(parent)
+        self._written = written
         self.path: Path | None = None
         self._seen: Stamp = None
         self._watcher = QFileSystemWatcher(self)
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(self._look)
         # A file that was replaced is noticed by its folder only.
-        self._watcher.fileChanged.connect(self._wait)
-        self._watcher.directoryChanged.connect(self._wait)
+        self._watcher.fileChanged.connect(self._settled.start)
+        self._watcher.directoryChanged.connect(self._settled.start)
 
     def watch(self, path: Path | None) -> None:
         """Watch this file from now on, and no other; None: none."""
@@ -59,9 +64,6 @@ class FileWatch(QObject):
             if self._seen is not None:
                 self._watcher.addPath(str(path))
 
-    def _wait(self) -> None:
-        self._settled.start()
-
     def _look(self) -> None:
         if self.path is None:
             return
@@ -70,7 +72,7 @@ class FileWatch(QObject):
         stamp = stamp_of(self.path)
         if stamp != self._seen:
             self._seen = stamp
-            self.changed.emit()
+            self._written()
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -99,8 +101,7 @@ class OutsideChanges(QObject):
         self._editing, self._sources, self._auditing = editing, sources, auditing
         self._looking = LatestOnlyTask(self, partial(say, store, level="error"))
         self._again = False
-        self._watch = FileWatch(self)
-        self._watch.changed.connect(editing.look_at_frame)
+        self._watch = FileWatch(self, editing.look_at_frame)
 
     def watch_file(self, path: Path | None) -> None:
         """Another frame is on screen, with this annotation file."""

@@ -136,8 +136,7 @@ class FieldChoice(QObject):
         self._matching.changed.connect(self._take_match)
         self._skipped: set[frozenset[str]] = set()  # mismatches that the user ignores
         self._jobs: dict[str, Job] = {}
-        self._watch = FileWatch(self)
-        self._watch.changed.connect(self.read_again)
+        self._watch = FileWatch(self, self.read_again)
         store.events.aboutToLeave.connect(self._finish_size)
         store.watch(select.dataset, self._begin)
         store.watch(select.field, self._watch_file)

@@ -141,7 +141,6 @@ class Navigator(QObject):
         self.stay()
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
-        self._editing.frame_lock.enter(name)
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
@@ -152,7 +151,7 @@ class Navigator(QObject):
             "picture": None,
             "half": None,
             "picture_error": "",
-            "holder": self._editing.frame_lock.holder,
+            "holder": self._editing.frame_lock.enter(name),
         }
         if frame is None:
             return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}
@@ -318,7 +317,6 @@ class Opening(QObject):
 
 
 def _unwritable(workspace: Workspace) -> Iterator[str]:
-    """Return a warning that nothing can be saved here; shown before any work is done."""
     folder = workspace.frames[0].annotation_folder if workspace.frames else workspace.folder
     if folder.is_dir() and not os.access(folder, os.W_OK):
         yield tr(

@@ -116,7 +116,6 @@ class FitSource(QObject):
         return came or not self._live_fit.working
 
     def _replace(self, cameras: FittedCameras) -> None:
-        """Take other fits, of which that of the frame on screen is another one."""
         self.source.camera_set = cameras
         if not self.listed and cameras.frames:
             self._join()
@@ -240,10 +239,6 @@ class ShotTrack(QObject):
             cuts |= {end for end in (first, last + 1) if sequence.first < end <= sequence.last}
         others = {n: frame for n, frame in self.tracked.items() if not first <= n <= last}
         self.replace(others | {frame.number: frame for frame in track.frames}, cuts)
-
-    def keep(self) -> None:
-        """No more frames are to come; those that came are what is known."""
-        self.replace(self.tracked, self.cuts)
 
     def between_anchors(self, number: int) -> range | None:
         """The frames around one from the anchor before it to the one after it, or to where the

@@ -231,7 +231,6 @@ class Ghosts(QObject):
         return None if asked is None else self._points.cached(*asked)
 
     def _search_for(self, ghost: Ghost | None) -> Inputs | None:
-        """Return what the points of a ghost follow from."""
         state = self._store.state
         if ghost is None or state.picture is None:
             return None
@@ -280,7 +279,6 @@ class Ghosts(QObject):
 
     @property
     def _may_come(self) -> bool:
-        """Return whether ghosts are being worked out."""
         foresight = self._foresight
         return foresight.allowed and foresight.wanted and foresight.working
 

@@ -216,7 +216,6 @@ class CameraSourceCommands(QObject):
         return bool(frames) and not any(frame.name in cameras.frames for frame in frames)
 
     def _no_match(self, cameras: CameraSet) -> str:
-        """Return what to say of cameras that belong to no frame of the dataset."""
         workspace = self._store.state.workspace
         if workspace is None or not self._none_matches(cameras):
             return ""
@@ -328,7 +327,6 @@ class CameraSourceCommands(QObject):
         self._store.update(looks=tuple(source.look for source in self._store.state.sources))
 
     def _list(self, sources: Sequence[CameraSource], active: CameraSource | None) -> None:
-        """List these sources and judge against one of them."""
         state = self._store.state
         choice, before = state.compared_choice, state.active
         # Two that are compared change places; a person's choice of a third one stays.

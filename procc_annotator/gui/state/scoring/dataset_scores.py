@@ -411,7 +411,6 @@ class DatasetScoring(QObject):
         return measure_projected(state.annotation, projected, self._judge.frame_setup)
 
     def _look_up(self, state: State) -> None:
-        """Have the frame on screen, and those next to it, looked up in every source."""
         frames = state.workspace.frames if state.workspace is not None else ()
         around = (state.frame_index + 1, state.frame_index - 1)
         beside = [frames[i].name for i in around if 0 <= i < len(frames)]

@@ -170,7 +170,6 @@ class SourceFrames(QObject):
             self.changed.emit()
 
     def _is_complete(self) -> bool:
-        """Return whether all is known of the frame on screen."""
         key = self._missing()
         return key is None or key[1] != self._frame
 
