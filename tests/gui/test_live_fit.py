@@ -567,7 +567,7 @@ class TestSaving:
         assert path.exists()
         services = window.services
         services.camera_sources.load_cameras(path.parent)
-        assert services.verdicts.place(services.state.sources[0]).endswith(":cameras/fitted")
+        assert services.review.place(services.state.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(self, fitted, annotated, qtbot):
         services = fitted.services

@@ -48,17 +48,13 @@ class ElementEdits:
         old = self._selected()
         if old is None or new == old:
             return
+        change: Callable[[FrameAnnotation, str, str], FrameAnnotation] = editing.change_class
+        words = word("{element} becomes {other}")
         if self._services.state.annotation.get(new) is not None:
-            self._swap(old, new)
-            return
-        label = self._step(word("{element} becomes {other}"), element=old, other=new)
-        if self._edit((old, new), label, lambda seen: editing.change_class(seen, old, new)):
+            change, words = editing.swap_classes, word("swap {element} and {other}")
+        label = self._step(words, element=old, other=new)
+        if self._edit((old, new), label, lambda seen: change(seen, old, new)):
             self._services.selection.select_class(new)
-
-    def _swap(self, old: str, other: str) -> None:
-        label = self._step(word("swap {element} and {other}"), element=old, other=other)
-        if self._edit((old, other), label, lambda seen: editing.swap_classes(seen, old, other)):
-            self._services.selection.select_class(other)
 
     def symmetric_classes(self) -> tuple[str, ...]:
         """The other classes that the selected one becomes on the turned field, a turn each."""

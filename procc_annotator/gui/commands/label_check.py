@@ -160,7 +160,7 @@ class LabelCheckCommands(QObject):
 
     def look(self, found: StoredFinding) -> None:
         """Bring a finding of the frame on screen into sight."""
-        self._check.set_current(self._frame_name(), found)
+        self._check.set_current(self._services.state.frame_name or "", found)
         self._show(found)
 
     def _show(self, found: StoredFinding) -> None:
@@ -228,7 +228,7 @@ class LabelCheckCommands(QObject):
 
         if not services.editing.edit(done, mend):
             return
-        self._passed_in = self._frame_name()
+        self._passed_in = self._services.state.frame_name or ""
         self._passed.add(found.key)
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         services.selection.select_point(None)
@@ -264,7 +264,7 @@ class LabelCheckCommands(QObject):
         if found is None:
             self._services.say(tr("go to a finding first (F10)"))
             return
-        self.ignore(self._frame_name(), found)
+        self.ignore(self._services.state.frame_name or "", found)
 
     def ignore(self, frame: str, found: StoredFinding) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
@@ -277,7 +277,7 @@ class LabelCheckCommands(QObject):
 
     def restore(self) -> None:
         """Show the ignored findings of the frame on screen again."""
-        if name := self._frame_name():
+        if name := self._services.state.frame_name:
             self._check.known.restore(name)
 
     # --- the set --------------------------------------------------------------------------
@@ -346,10 +346,6 @@ class LabelCheckCommands(QObject):
         )
 
     # --- inside ---------------------------------------------------------------------------
-
-    def _frame_name(self) -> str:
-        frame = self._services.state.frame
-        return frame.name if frame is not None else ""
 
     def _title(self, class_name: str) -> str:
         return tr(self._services.state.field.title_of(class_name))

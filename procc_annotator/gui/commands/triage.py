@@ -74,16 +74,16 @@ class Triage(QObject):
             services.say(why)
             return
         chosen = FaultParty(fault)
-        before = services.verdicts.verdict(frame.name, source)
+        before = services.review.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
-            services.verdicts.set_verdict(frame.name, source, None)
+            services.review.set_verdict(frame.name, source, None)
             is_undone = tr(
                 "{frame}: no verdict on {source} any more", frame=frame.name, source=source.name
             )
             services.say(is_undone)
             return
         comment = before.comment if before is not None else ""
-        services.verdicts.set_verdict(frame.name, source, chosen, comment)
+        services.review.set_verdict(frame.name, source, chosen, comment)
         services.say(f"{frame.name}: {tr(FAULT_WORDS[chosen], 'a verdict')}, {source.name}")
 
     def ask_note(self) -> None:
@@ -92,7 +92,7 @@ class Triage(QObject):
         source, frame = services.state.active, services.state.frame
         verdict = None
         if frame is not None and source is not None and services.state.projection_visible:
-            verdict = services.verdicts.verdict(frame.name, source)
+            verdict = services.review.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
             services.say(tr("mark the frame first: camera fault, annotation fault or fine"))
             return
@@ -100,7 +100,7 @@ class Triage(QObject):
             self._window, tr("Note on the verdict"), tr("What is wrong here:"), text=verdict.comment
         )
         if given:
-            services.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
+            services.review.set_verdict(frame.name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 
@@ -190,7 +190,7 @@ class Triage(QObject):
         sets: dict[str, CameraSet] = {}
         for source in services.state.sources:
             if (files := source.files) is not None:
-                sets[services.verdicts.place(source)] = sets[place_by_name(source.name)] = files
+                sets[services.review.place(source)] = sets[place_by_name(source.name)] = files
         setup, tau, reopen = services.state.setup, services.state.tau, services.opening.reopener()
 
         def work(control: JobControl) -> int:

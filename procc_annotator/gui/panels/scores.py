@@ -225,7 +225,7 @@ class VerdictRow(QWidget):
         frame, source = services.state.frame, services.state.active
         verdict = None
         if frame is not None and source is not None and services.state.projection_visible:
-            verdict = services.verdicts.verdict(frame.name, source)
+            verdict = services.review.verdict(frame.name, source)
         for fault, button in self.buttons.items():
             button.setChecked(verdict is not None and verdict.fault is fault)
         show_note(self.note, f"“{verdict.comment}”" if verdict is not None and verdict.comment

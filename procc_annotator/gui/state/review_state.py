@@ -22,6 +22,7 @@ from procc_annotator.dataset.records import (
     count_points_by_origin,
     new_origins,
     place_by_name,
+    place_of,
 )
 from procc_annotator.dataset.review import (
     LOCK_SETTING,
@@ -36,6 +37,7 @@ from procc_annotator.dataset.review import (
     write_events,
 )
 from procc_annotator.gui.state.availability import no_frame
+from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
@@ -176,33 +178,51 @@ class ReviewState(QObject):
             self.database.resolve_comment(comment.id, resolved)
             self.statusChanged.emit(comment.frame)
 
-    # --- verdicts -----------------------------------------------------------------------------
+    # --- verdicts on camera sources from files; fits change with the clicks and have none -----
 
-    def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
-        """Return whose fault a frame's score is under the camera source at a place, if a person
-        said so; what an older database says of its name holds unless something else was said."""
-        if self.database is None:
+    def verdict(self, frame: str, source: CameraSource) -> Verdict | None:
+        """Return whose fault a frame's score with a source is, also if blind mode hides it; what an
+        older database says of the source's name holds unless something else was said."""
+        if self.database is None or source.files is None:
             return None
         found = self.database.verdicts(frame)
-        return found.get(place) or found.get(place_by_name(source))
+        return found.get(self.place(source)) or found.get(place_by_name(source.name))
+
+    def shown_verdict(self, frame: str) -> FaultParty | None:
+        """Return whose fault a frame's score with the active source is; None while blind mode
+        hides it."""
+        source = self._store.state.active
+        if source is None or not self._store.state.reveals(frame):
+            return None
+        verdict = self.verdict(frame, source)
+        return None if verdict is None else verdict.fault
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
         """Return what was found of every frame, by frame and the camera source's place."""
         return self.database.all_verdicts() if self.database is not None else {}
 
     def set_verdict(
-        self, frame: str, source: str, place: str, fault: FaultParty | None, comment: str = ""
+        self, frame: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
     ) -> None:
-        """Set who caused a frame's low score; None removes the verdict."""
-        if self.database is not None:
-            self.database.set_verdict(frame, source, fault, comment, place=place)
+        """Set who caused a frame's low score with a source; None removes the verdict."""
+        if self.database is not None and source.files is not None:
+            place = self.place(source)
+            self.database.set_verdict(frame, source.name, fault, comment, place=place)
             self.statusChanged.emit(frame)
 
-    def rename_source(self, place: str, before: str, name: str) -> None:
-        """The source at a place has another name: its verdicts go along."""
-        if self.database is not None:
-            self.database.rename_source(place, before, name)
+    def rename_source(self, source: CameraSource, before: str) -> None:
+        """A source has another name: its verdicts go along."""
+        if self.database is not None and (place := self.place(source)):
+            self.database.rename_source(place, before, source.name)
             self.statusChanged.emit("")
+
+    def place(self, source: CameraSource) -> str:
+        """Return what verdicts know a source by, whatever it is called; empty without a dataset or
+        files."""
+        cameras, workspace = source.files, self._store.state.workspace
+        if workspace is None or cameras is None:
+            return ""
+        return place_of(cameras.path, cameras.format, workspace.folder)
 
     # --- elements not visible, and settings ---------------------------------------------------
 

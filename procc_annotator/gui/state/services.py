@@ -34,7 +34,6 @@ from procc_annotator.gui.state.review_state import BlindLock, ReviewState
 from procc_annotator.gui.state.scoring.commands import (
     CameraSourceCommands,
     EvaluationSettings,
-    Verdicts,
 )
 from procc_annotator.gui.state.scoring.dataset_scores import (
     DatasetScores,
@@ -90,12 +89,9 @@ class Services(QObject):
 
     def _make_commands(self) -> None:
         store, review = self.store, self.review
-        self.verdicts = Verdicts(store, review)
         self.selection = SelectionCommands(store)
         self.evaluation = EvaluationSettings(store, review)
-        self.camera_sources = CameraSourceCommands(
-            store, self.scoring, self.dataset_scores, self.verdicts
-        )
+        self.camera_sources = CameraSourceCommands(store, self.scoring, self.dataset_scores, review)
         self.editing = Editing(store, self.saver, self.frame_lock, review, self.scoring)
         self.outside_changes = OutsideChanges(
             store, self.editing, self.camera_sources, self.scoring

@@ -1,4 +1,4 @@
-"""Commands of the store: evaluation settings, camera sources and verdicts on them."""
+"""Commands of the store: evaluation settings and camera sources."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from PySide6.QtCore import QObject
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.database.location import folder_of
 from procc_annotator.dataset.dataset_field import store_dimensions, store_field, store_lines
-from procc_annotator.dataset.records import FaultParty, Verdict, place_of
 from procc_annotator.errors import ProccError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import with_stadiums
@@ -126,58 +125,15 @@ class EvaluationSettings(QObject):
         return with_landmarks(field, own.landmarks, own.instant, own.instants)
 
 
-class Verdicts:
-    """Verdicts on camera sources from files; fits change with the clicks and have none."""
-
-    def __init__(self, store: Store, review: ReviewState) -> None:
-        self._store, self._review = store, review
-
-    def shown_verdict(self, name: str) -> FaultParty | None:
-        """Return who caused a frame's low score with the active source; None while blind mode hides
-        it."""
-        source = self._store.state.active
-        if source is None or not self._store.state.reveals(name):
-            return None
-        verdict = self.verdict(name, source)
-        return None if verdict is None else verdict.fault
-
-    def verdict(self, name: str, source: CameraSource) -> Verdict | None:
-        """Return the verdict on a frame with a source, also if blind mode hides it; None for
-        fits."""
-        if source.files is None:
-            return None
-        return self._review.verdict(name, source.name, self.place(source))
-
-    def set_verdict(
-        self, name: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
-    ) -> None:
-        """Set the verdict on a frame with a source from files; None removes it."""
-        if source.files is not None:
-            self._review.set_verdict(name, source.name, self.place(source), fault, comment)
-
-    def rename_source(self, source: CameraSource, before: str) -> None:
-        """A source has another name: its verdicts go along."""
-        if place := self.place(source):
-            self._review.rename_source(place, before, source.name)
-
-    def place(self, source: CameraSource) -> str:
-        """Return what verdicts know a source by, whatever it is called; empty without a dataset or
-        files."""
-        cameras, workspace = source.files, self._store.state.workspace
-        if workspace is None or cameras is None:
-            return ""
-        return place_of(cameras.path, cameras.format, workspace.folder)
-
-
 class CameraSourceCommands(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
     def __init__(
-        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, verdicts: Verdicts
+        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, review: ReviewState
     ) -> None:
         super().__init__(store)
         self._store, self._auditing = store, auditing
-        self._set_scores, self._verdicts = set_scores, verdicts
+        self._set_scores, self._review = set_scores, review
 
     # --- which there are ----------------------------------------------------------------------
 
@@ -302,7 +258,7 @@ class CameraSourceCommands(QObject):
         if source.files is not None and name and name != before:
             others = [s for s in self._store.state.sources if s is not source]
             source.files.name = free_name(name, others)
-            self._verdicts.rename_source(source, before)
+            self._review.rename_source(source, before)
             self._show_looks()
 
     def set_source_colour(self, source: CameraSource, colour: str) -> None:
