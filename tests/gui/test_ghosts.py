@@ -19,7 +19,7 @@ from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.editing import append_points, delete_point
 from procc_annotator.dataset.records import OriginKind
-from procc_annotator.gui.commands.elements import ghost_accepting
+from procc_annotator.gui.commands import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.gui.state.services import Services

@@ -10,7 +10,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store, When
 from procc_annotator.metrics.setup import EvaluationSetup
