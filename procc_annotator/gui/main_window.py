@@ -26,7 +26,6 @@ from procc_annotator.gui.commands.review.versions import Versions
 from procc_annotator.gui.commands.shot.accepting import StretchAccepting
 from procc_annotator.gui.commands.shot.following import ShotFollowing
 from procc_annotator.gui.commands.shot.walking import ShotWalk
-from procc_annotator.gui.element_keys import DigitRow, ElementShortcuts
 from procc_annotator.gui.messages import (
     BarStack,
     ConflictBar,
@@ -35,12 +34,12 @@ from procc_annotator.gui.messages import (
     ask_to_leave_unsaved,
 )
 from procc_annotator.gui.panels.agreement import AgreementPanel
-from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
+from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
-from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel
+from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
@@ -53,10 +52,15 @@ from procc_annotator.gui.state.store import When
 from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
 from procc_annotator.gui.window.commands import Commands
-from procc_annotator.gui.window.keyboard_focus import FocusRegions, FocusReturn, FocusRing
+from procc_annotator.gui.window.keyboard_focus import (
+    DigitRow,
+    ElementShortcuts,
+    FocusRegions,
+    FocusReturn,
+    FocusRing,
+)
 from procc_annotator.gui.window.menus import Actions, ActionStates
-from procc_annotator.gui.window.message_routing import ErrorReports, MessageRouter
-from procc_annotator.gui.window.status import StatusLine, StatusReport
+from procc_annotator.gui.window.status import ErrorReports, MessageRouter, StatusLine, StatusReport
 from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome

@@ -1,13 +1,14 @@
-"""Light and dark theme, following the system; icons, fonts, readable colours."""
+"""Light and dark theme, following the system; icons, fonts, accessible roles of widgets."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 
-from PySide6.QtCore import QByteArray, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QGuiApplication, QPainter, QPalette
+from PySide6.QtCore import QByteArray, QEvent, QObject, QRectF, Qt
+from PySide6.QtGui import QAccessible, QColor, QFont, QGuiApplication, QPainter, QPalette
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
+    QAccessibleWidget,
     QApplication,
     QGraphicsView,
     QLabel,
@@ -18,6 +19,40 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.resources import resources_dir
+
+_WHEN = (QEvent.Type.Show, QEvent.Type.FocusIn)
+
+
+class _Role(QObject):
+    """Reports what a widget is, when it is shown and whenever the keyboard comes to it.
+
+    Qt keeps what is given by an object and its class, and the class becomes another one each time a
+    method of Python is first connected: what was set before that is not read any more.
+    """
+
+    def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
+        super().__init__(widget)
+        self._widget, self._role = widget, role
+        self._told: list[QAccessibleWidget] = []  # Qt deletes them with the widget
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in _WHEN and watched is self._widget:
+            self._tell()
+        return False
+
+    def _tell(self) -> None:
+        known = QAccessible.queryAccessibleInterface(self._widget)
+        if known is None or known.role() != self._role:
+            told = QAccessibleWidget(self._widget, self._role, "")
+            QAccessible.registerAccessibleInterface(told)
+            self._told.append(told)
+
+
+def give_role(widget: QWidget, role: QAccessible.Role) -> None:
+    """Have a widget exposed as something; its name and description are its own."""
+    _Role(widget, role)
+
 
 _BLACK = b"#000"  # what the files are drawn in
 

@@ -37,7 +37,7 @@ from procc_annotator.formats.annotations.registry import FORMATS
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.tables import short_titles
+from procc_annotator.gui.panels.element_states import short_titles
 from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.window.key_dialogs import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics

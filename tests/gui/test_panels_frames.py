@@ -11,10 +11,9 @@ from PySide6.QtCore import QModelIndex, Qt
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.frames.delegate import row_words
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
-from procc_annotator.gui.panels.frames.model import RowInfo
-from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
+from procc_annotator.gui.panels.frame_delegate import row_words
+from procc_annotator.gui.panels.frame_rows import RowInfo, Thumbnails
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.state.services import Services
 
 

@@ -19,7 +19,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
-from procc_annotator.gui.panels.plots.legend import dash_of, symbol_of
+from procc_annotator.gui.panels.plots.page import dash_of, symbol_of
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from tests.gui.conftest import all_done

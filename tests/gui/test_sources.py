@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.cameras.sources import SourceRow
+from procc_annotator.gui.panels.camera_sources import SourceRow
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interaction.palette import SOURCE_COLOURS

@@ -19,8 +19,13 @@ from PySide6.QtWidgets import (
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.gui.panels.element_states import class_title
-from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTable, Index
-from procc_annotator.gui.panels.widgets import empty_state
+from procc_annotator.gui.panels.widgets import (
+    RIGHT,
+    ElementRowsModel,
+    ElementTable,
+    Index,
+    empty_state,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services

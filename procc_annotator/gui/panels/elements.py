@@ -18,18 +18,17 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.sampling import distances_from
-from procc_annotator.gui.element_keys import element_keys
-from procc_annotator.gui.keymap import NATIVE, short_text
+from procc_annotator.gui.keymap import NATIVE, element_keys, short_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
     class_swatch,
     element_states,
+    short_titles,
     symbol_icon,
     words_for,
 )
-from procc_annotator.gui.panels.findings.finding_rows import FindingSigns
-from procc_annotator.gui.panels.tables import short_titles
+from procc_annotator.gui.panels.finding_rows import FindingSigns
 from procc_annotator.gui.panels.widgets import NARROW, SEARCH_KEYS, empty_state
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services

@@ -32,8 +32,11 @@ from procc_annotator.calibration.result import (
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.element_states import ElementState, class_title
-from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.widgets import (
+    RIGHT,
+    ElementRowsModel,
+    ElementTable,
+    Index,
     ScrolledContent,
     box_of,
     choice,

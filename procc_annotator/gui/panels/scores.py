@@ -25,19 +25,17 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
+    TitleDelegate,
     class_title,
     symbol_icon,
     words_for,
 )
-from procc_annotator.gui.panels.tables import (
+from procc_annotator.gui.panels.widgets import (
+    NARROW,
     RIGHT,
     ElementRowsModel,
     ElementTable,
     Index,
-    TitleDelegate,
-)
-from procc_annotator.gui.panels.widgets import (
-    NARROW,
     ScrolledContent,
     empty_state,
     note_label,

@@ -18,10 +18,9 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.elements.element_edits import ElementEdits
 from procc_annotator.gui.commands.elements.ghosts import GhostCommands
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
-from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.keymap import USUAL, Keymap
+from procc_annotator.gui.keymap import USUAL, Keymap, key_text
 from procc_annotator.gui.panels.element_states import class_swatch, class_title
-from procc_annotator.gui.panels.findings.finding_rows import reasons_of
+from procc_annotator.gui.panels.finding_rows import reasons_of
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, tr_count, word

@@ -22,8 +22,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.actions import ACTIONS
-from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
+from procc_annotator.gui.keymap import key_text
+from procc_annotator.gui.panels.widgets import Index, RowsModel, list_rows
 from procc_annotator.gui.settings import CALLED, OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.services import Services

@@ -31,25 +31,27 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import read_file
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
-from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import (
     GESTURES,
     NATIVE,
     PRESETS,
     Keymap,
     clashes,
+    element_keys,
     from_values,
     to_values,
 )
-from procc_annotator.gui.panels.tables import (
+from procc_annotator.gui.panels.widgets import (
     ROW,
     SEARCHED,
     Index,
     RowsModel,
+    empty_state,
     list_rows,
+    note_label,
     searched_rows,
+    show_note,
 )
-from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.translation import tr, word
 
 _SIZE = QSize(760, 620)

@@ -1,11 +1,19 @@
-"""Keyboard focus: the regions F6 goes round, the ring, keys handed back to the canvas."""
+"""The keyboard: focus regions (F6), focus ring, keys of the canvas and of the elements."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer
-from PySide6.QtGui import QCursor, QKeyEvent, QPainter, QPaintEvent
+from PySide6.QtGui import (
+    QAction,
+    QCursor,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPaintEvent,
+    QShortcut,
+)
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -22,7 +30,10 @@ from shiboken6 import isValid
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.canvas_keys import beside_picture, typed_into
+from procc_annotator.gui.keymap import element_keys, keys_by_place
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
+from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.services import Services
 
 _WIDTH = 2
 _MOVES = (QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
@@ -280,3 +291,64 @@ def _target(region: QWidget) -> QWidget | None:
 def _takes(widget: QWidget) -> bool:
     reachable = bool(widget.focusPolicy() & _BY_TAB)
     return reachable and widget.isVisible() and widget.isEnabled()
+
+
+class DigitRow(QObject):
+    """Has the keys of the digits call what digits call, whatever they write."""
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        window.installEventFilter(self)  # keys come here that no text field wanted
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QKeyEvent) or event.type() == QEvent.Type.KeyRelease:
+            return False
+        keys = keys_by_place(event)
+        called = self._called_by(keys) if keys else None
+        if called is None:
+            return False
+        event.accept()  # as an override: no shortcut is looked for by what the key writes
+        if event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat():
+            if isinstance(called, QAction):
+                called.trigger()
+            else:
+                called.activated.emit()
+        return True
+
+    def _called_by(self, keys: str) -> QAction | QShortcut | None:
+        wanted = QKeySequence(keys)
+        for shortcut in self._window.findChildren(QShortcut):
+            if shortcut.isEnabled() and shortcut.key() == wanted:
+                return shortcut
+        actions = self._window.actions()
+        return next((a for a in actions if a.isEnabled() and wanted in a.shortcuts()), None)
+
+
+class ElementShortcuts(QObject):
+    """The keys of a window that choose the elements of the field on screen."""
+
+    def __init__(self, window: QWidget, services: Services) -> None:
+        super().__init__(window)
+        self._window, self._services = window, services
+        self._shortcuts: list[QShortcut] = []
+        services.store.watch(select.field, self._make)
+        services.store.watch(lambda state: state.keymap, self._take)
+        self._make()
+
+    def _take(self) -> None:
+        self._make()
+
+    def _make(self) -> None:
+        for old in self._shortcuts:
+            old.setEnabled(False)  # it is deleted later only
+            old.deleteLater()
+        self._shortcuts = []
+        for name, keys in element_keys(
+            self._services.state.field, self._services.state.keymap
+        ).items():
+            shortcut = QShortcut(keys, self._window)
+            shortcut.activated.connect(
+                lambda name=name: self._services.selection.select_class(name, continues=True)
+            )
+            self._shortcuts.append(shortcut)

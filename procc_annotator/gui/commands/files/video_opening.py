@@ -26,11 +26,11 @@ from procc_annotator.dataset.sequence import keep_frame, open_video
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.messages import write
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
 from procc_annotator.translation import tr, tr_count
 

@@ -14,11 +14,11 @@ from procc_annotator.calibration.label_check.finding import Finding, Remedy, Rem
 from procc_annotator.dataset.review import StoredFinding, by_severity
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.panels.findings.finding_rows import Entry
-from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel, so_many
+from procc_annotator.gui.messages import ask_where, opened_frame
+from procc_annotator.gui.panels.finding_rows import Entry
+from procc_annotator.gui.panels.findings import FindingsPanel, so_many
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
 from procc_annotator.translation import (
     TranslatableText,

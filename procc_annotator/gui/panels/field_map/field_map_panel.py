@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
-from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.keymap import key_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
@@ -42,11 +42,10 @@ from procc_annotator.gui.panels.field_map.painting import (
     paint_spot,
     part_to_show,
 )
-from procc_annotator.gui.panels.findings.finding_rows import findings_by_element, reasons_of
-from procc_annotator.gui.roles import give_role
+from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.theme import muted
+from procc_annotator.gui.theme import give_role, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.translation import tr
 

@@ -19,8 +19,7 @@ from procc_annotator.batch.audit import (
 )
 from procc_annotator.batch.frame_sums import AuditBand, mean_band
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
-from procc_annotator.gui.panels.plots.legend import symbol_of
-from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.plots.page import PlotPage, symbol_of
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.translation import tr, word
 

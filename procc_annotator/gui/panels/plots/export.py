@@ -20,12 +20,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.gui.messages import ask_where, write
 from procc_annotator.gui.panels.plots.data import PlotRequest
-from procc_annotator.gui.panels.plots.legend import Legend
-from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.plots.page import Legend, PlotPage
 from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.tables.data_files import CRLF, csv_bytes
 from procc_annotator.report.window_tables import plot_table
 from procc_annotator.translation import tr, tr_count

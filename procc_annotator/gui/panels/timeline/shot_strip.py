@@ -29,10 +29,10 @@ from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.panels.timeline.content import Axis, StripContent
 from procc_annotator.gui.panels.timeline.painting import Rows, paint_here, paint_strip, strip_rows
-from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
+from procc_annotator.gui.theme import give_role
 from procc_annotator.translation import tr, word
 
 # How a frame's camera came about.

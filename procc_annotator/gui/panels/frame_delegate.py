@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Status
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
-from procc_annotator.gui.panels.frames.model import FolderInfo, FramesModel, RowInfo
-from procc_annotator.gui.panels.tables import Index
+from procc_annotator.gui.panels.frame_rows import FolderInfo, FramesModel, RowInfo
+from procc_annotator.gui.panels.widgets import Index
 from procc_annotator.gui.theme import alarm_colours, blend
 from procc_annotator.translation import tr, tr_count
 

@@ -24,10 +24,15 @@ from procc_annotator.dataset.frames import Folder
 from procc_annotator.dataset.records import FrameRecord, Status, Verdict
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.gui.panels.frames.delegate import FrameDelegate
-from procc_annotator.gui.panels.frames.model import FramesModel
-from procc_annotator.gui.panels.tables import list_rows
-from procc_annotator.gui.panels.widgets import SEARCH_KEYS, empty_state, note_label, show_note
+from procc_annotator.gui.panels.frame_delegate import FrameDelegate
+from procc_annotator.gui.panels.frame_rows import FramesModel
+from procc_annotator.gui.panels.widgets import (
+    SEARCH_KEYS,
+    empty_state,
+    list_rows,
+    note_label,
+    show_note,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, after_paint
 from procc_annotator.gui.state.scoring.dataset_scores import FrameScores

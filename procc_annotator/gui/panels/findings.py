@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import by_severity
 from procc_annotator.gui.canvas.finding_sign import finding_icon
-from procc_annotator.gui.panels.findings.finding_rows import (
+from procc_annotator.gui.panels.finding_rows import (
     Entry,
     FindingDelegate,
     FindingsList,

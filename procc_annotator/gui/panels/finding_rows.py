@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.canvas.finding_sign import finding_icon, paint_finding_sign
-from procc_annotator.gui.panels.tables import Index, list_rows
+from procc_annotator.gui.panels.widgets import Index, list_rows
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.translation import tr, word

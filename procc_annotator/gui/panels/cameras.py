@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.formats.cameras.registry import format_titles, suffixes_of
-from procc_annotator.gui.panels.cameras.sources import SourceList, colour_icon
+from procc_annotator.gui.panels.camera_sources import SourceList, colour_icon
 from procc_annotator.gui.panels.widgets import (
     ScrolledContent,
     box_of,
