@@ -232,6 +232,13 @@ def fixed_width(widget_font: QFont, times: float = 1.0, *, bold: bool = False) -
     return font
 
 
+def bold(font: QFont) -> QFont:
+    """Return a font in bold."""
+    made = QFont(font)
+    made.setBold(True)
+    return made
+
+
 def blend(a: QColor, b: QColor, share: float) -> QColor:
     """A colour between two: share 0 gives the first, 1 the second."""
     return QColor.fromRgbF(

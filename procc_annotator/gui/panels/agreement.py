@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QHeaderView,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -20,15 +18,17 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.widgets import (
-    RIGHT,
     ElementRowsModel,
     ElementTable,
-    Index,
     empty_state,
+    make_button,
+    make_label,
+    vbox,
 )
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.theme import bold
 from procc_annotator.metrics.agreement import (
     AgreementAccumulator,
     AgreementSummary,
@@ -69,21 +69,16 @@ class _AgreementModel(ElementRowsModel[_Row]):
     """Agreement of both by class, least first."""
 
     def __init__(self) -> None:
-        super().__init__((word("Element"), word("Median"), "95 %", word("Points")))
+        super().__init__((word("Element"), word("Median"), "95 %", word("Points")), first_figure=1)
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        row, column = self.rows[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            return row.texts[column]
-        if role == Qt.ItemDataRole.TextAlignmentRole and column:
-            return RIGHT
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return f"{row.texts[0]}\n{row.tip}"  # a narrow panel cuts the name
-        if role == Qt.ItemDataRole.FontRole and row.apart:
-            font = QFont()
-            font.setBold(True)
-            return font
-        return None
+    def texts(self, row: _Row) -> Sequence[str]:
+        return row.texts
+
+    def tip(self, row: _Row) -> str:
+        return f"{row.texts[0]}\n{row.tip}"  # a narrow panel cuts the name
+
+    def font(self, row: _Row) -> QFont | None:
+        return bold(QFont()) if row.apart else None
 
 
 class AgreementPanel(QWidget):
@@ -131,27 +126,21 @@ class AgreementPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state(tr(_NONE), "agreement_empty")
-        self.noise = QLabel()
-        self.noise.setObjectName("agreementNoise")
-        self.noise.setWordWrap(True)
-        self.frame = QLabel()
-        self.frame.setObjectName("agreementFrame")
-        self.frame.setWordWrap(True)
+        self.noise = make_label(name="agreementNoise", wrap=True)
+        self.frame = make_label(name="agreementFrame", wrap=True)
         self.rows = _AgreementModel()
         self.table = ElementTable("agreementTable", self.rows, {})
         self.table.setAccessibleName(tr("Distances by element"))
         header = self.table.horizontalHeader()
-        for column in (1, 2, 3):
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        for figures in (1, 2, 3):
+            header.setSectionResizeMode(figures, QHeaderView.ResizeMode.ResizeToContents)
         self.table.chosen.connect(
             lambda row: self._services.selection.select_class(self.rows.rows[row].class_name)
         )
-        self.close_button = QPushButton(tr("Close the second annotator"))
-        self.close_button.clicked.connect(self._services.second_annotator.close)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        for part in (self.empty, self.noise, self.frame, self.table, self.close_button):
-            layout.addWidget(part)
+        close = self._services.second_annotator.close
+        self.close_button = make_button(tr("Close the second annotator"), close)
+        parts = (self.empty, self.noise, self.frame, self.table, self.close_button)
+        vbox(*parts, of=self, margins=6)
 
     # --- showing --------------------------------------------------------------------------
 

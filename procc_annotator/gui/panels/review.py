@@ -8,19 +8,24 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
-    QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
-from procc_annotator.gui.panels.widgets import note_label, show_note
+from procc_annotator.gui.panels.widgets import (
+    hbox,
+    make_button,
+    make_label,
+    named,
+    note_label,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
@@ -77,8 +82,7 @@ class ReviewPanel(QWidget):
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _build(self) -> None:
-        self.status = QComboBox()
-        self.status.setObjectName("reviewStatus")
+        self.status = named(QComboBox(), "reviewStatus")
         for status in Status:
             said = tr(status.value, "a frame")
             self.status.addItem(f"{said[:1].upper()}{said[1:]}", status)
@@ -86,20 +90,12 @@ class ReviewPanel(QWidget):
                 self.status.count() - 1, tr(STATUS_TIPS[status]), Qt.ItemDataRole.ToolTipRole
             )
         self.status.activated.connect(self._choose)
-        self.time = QLabel()
-        self.time.setToolTip(tr("Time worked on this frame; pauses over 30 s do not count"))
-        first = QHBoxLayout()
-        first.addWidget(self.status, 1)
-        first.addWidget(self.time)
+        self.time = make_label(tip=tr("Time worked on this frame; pauses over 30 s do not count"))
         self.blind = note_label("reviewBlind")
-        self.origins = QLabel()
-        self.origins.setObjectName("reviewOrigins")
-        self.origins.setWordWrap(True)
+        tip = tr("How the points of this frame came to be")
+        self.origins = make_label(name="reviewOrigins", wrap=True, tip=tip)
         self.origins.setTextFormat(Qt.TextFormat.RichText)
-        self.origins.setToolTip(tr("How the points of this frame came to be"))
-        self.comments = CommentList()
-        self.comments.setObjectName("reviewThread")
-        self.comments.setAccessibleName(tr("Comments"))
+        self.comments = named(CommentList(), "reviewThread", title=tr("Comments"))
         self.comments.setWordWrap(True)
         self.comments.setSpacing(3)
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
@@ -107,25 +103,22 @@ class ReviewPanel(QWidget):
         self.comments.itemChanged.connect(self._settle)
         self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text = QLineEdit(placeholderText=tr("Comment on this frame"))
-        self.text.setObjectName("reviewText")
-        self.text.setAccessibleName(tr("Comment on this frame"))
+        hint = tr("Comment on this frame")
+        self.text = named(QLineEdit(placeholderText=hint), "reviewText", title=hint)
         self.text.returnPressed.connect(self._send)
         self.text.installEventFilter(self)
-        self.send = QPushButton(tr("Add"))
-        self.send.setToolTip(tr("Add the comment to the thread (Enter)"))
-        self.send.clicked.connect(self._send)
-        last = QHBoxLayout()
-        last.addWidget(self.text, 1)
-        last.addWidget(self.send)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.addLayout(first)
-        layout.addWidget(self.blind)
-        layout.addWidget(self.origins)
-        layout.addWidget(self.empty, 1)
-        layout.addWidget(self.comments, 1)
-        layout.addLayout(last)
+        tip = tr("Add the comment to the thread (Enter)")
+        self.send = make_button(tr("Add"), self._send, tip=tip)
+        vbox(
+            hbox((self.status, 1), self.time),
+            self.blind,
+            self.origins,
+            (self.empty, 1),
+            (self.comments, 1),
+            hbox((self.text, 1), self.send),
+            of=self,
+            margins=6,
+        )
 
     # --- showing --------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Generic, Protocol, TypeVar
 
 from PySide6.QtCore import (
@@ -15,21 +15,28 @@ from PySide6.QtCore import (
     QSortFilterProxyModel,
     Qt,
     Signal,
+    SignalInstance,
 )
-from PySide6.QtGui import QAction, QPalette, QValidator
+from PySide6.QtGui import QAction, QFont, QPalette, QValidator
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QBoxLayout,
     QCheckBox,
     QComboBox,
     QDoubleSpinBox,
     QFrame,
+    QHBoxLayout,
     QHeaderView,
     QLabel,
+    QLayout,
     QLineEdit,
+    QPushButton,
     QScrollArea,
     QSizePolicy,
+    QStackedWidget,
     QTableView,
     QToolTip,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -44,8 +51,10 @@ R = TypeVar("R")
 
 
 class RowsModel(QAbstractTableModel, Generic[R]):
-    """Rows, headings and tips, replaced as a whole; only what changed is announced. What the cells
-    say is for each table to give (`data`)."""
+    """Rows, headings and tips, replaced as a whole; only what changed is announced.
+
+    Each table gives the texts of a row, and its tip, or all that its cells show (`data`).
+    """
 
     def __init__(
         self, headings: Sequence[str], tips: Sequence[str] = (), first_figure: int | None = None
@@ -70,6 +79,28 @@ class RowsModel(QAbstractTableModel, Generic[R]):
             self.beginResetModel()
             self.rows = rows
             self.endResetModel()
+
+    def texts(self, row: R) -> Sequence[str]:
+        """Return the text of each column."""
+        raise NotImplementedError
+
+    def tip(self, row: R) -> str:
+        """Return the tool tip of a row."""
+        return ""
+
+    def font(self, row: R) -> QFont | None:
+        """Return the font of a row; None: that of the table."""
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row, column = self.rows[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self.texts(row)[column]
+        if role == Qt.ItemDataRole.TextAlignmentRole and column >= self._first_figure:
+            return RIGHT
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self.tip(row)
+        return self.font(row) if role == Qt.ItemDataRole.FontRole else None
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
         return 0 if parent.isValid() else len(self.rows)
@@ -216,52 +247,186 @@ SEARCH_KEYS = frozenset(
 LEFT_BY_ESCAPE = "left_by_escape"
 
 
+W = TypeVar("W", bound=QWidget)
+Part = QWidget | QLayout | tuple[QWidget | QLayout, int] | None
+
+
+def named(widget: W, name: str = "", *, tip: str = "", title: str = "") -> W:
+    """Set a widget's object name, tool tip and accessible name; return the widget."""
+    widget.setObjectName(name)
+    widget.setToolTip(tip)
+    widget.setAccessibleName(title)
+    return widget
+
+
+def hbox(*parts: Part, spacing: int | None = None, margins: int | None = None) -> QHBoxLayout:
+    """Lay out parts side by side, as `vbox` does."""
+    return _fill(QHBoxLayout(), parts, spacing, margins)
+
+
+def vbox(
+    *parts: Part,
+    of: QWidget | None = None,
+    spacing: int | None = None,
+    margins: int | None = None,
+) -> QVBoxLayout:
+    """Lay out parts one below the other.
+
+    Args:
+        parts: widgets and layouts, each alone or with its stretch; None: a space that stretches.
+        of: the widget whose layout it is.
+        spacing, margins: px between the parts and around them; None: those of the style.
+    """
+    box = _fill(QVBoxLayout(), parts, spacing, margins)
+    if of is not None:
+        of.setLayout(box)
+    return box
+
+
+B = TypeVar("B", bound=QBoxLayout)
+
+
+def _fill(box: B, parts: Iterable[Part], spacing: int | None, margins: int | None) -> B:
+    if spacing is not None:
+        box.setSpacing(spacing)
+    if margins is not None:
+        box.setContentsMargins(margins, margins, margins, margins)
+    for part in parts:
+        content, stretch = part if isinstance(part, tuple) else (part, 0)
+        if isinstance(content, QWidget):
+            box.addWidget(content, stretch)
+        elif content is not None:
+            box.addLayout(content, stretch)
+        else:
+            box.addStretch(1)
+    return box
+
+
+def make_label(
+    text: str = "",
+    name: str = "",
+    *,
+    tip: str = "",
+    wrap: bool = False,
+    faint: bool = False,
+    font: QFont | None = None,
+) -> QLabel:
+    """Make a label; faint text steps back behind what it explains."""
+    made = named(QLabel(text, wordWrap=wrap), name, tip=tip)
+    if faint:
+        made.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+    if font is not None:
+        made.setFont(font)
+    return made
+
+
+def caption(text: str, field: QWidget) -> QHBoxLayout:
+    """Lay out a field behind its name, which its mnemonic and screen readers refer to."""
+    name = QLabel(text)
+    name.setBuddy(field)
+    return hbox(name, (field, 1))
+
+
+def make_button(
+    text: str,
+    slot: Callable[..., object] | SignalInstance,
+    name: str = "",
+    *,
+    tip: str = "",
+    wide: bool = False,
+) -> QPushButton:
+    """Make a button that calls a slot; a wide one takes the width that there is."""
+    made = named(QPushButton(text), name, tip=tip)
+    made.clicked.connect(slot)
+    if wide:
+        made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    return made
+
+
+def search_line(
+    hint: str, name: str, changed: Callable[..., object] | None = None, title: str = ""
+) -> QLineEdit:
+    """Make a line to search with; ``title`` is read out instead of the hint."""
+    line = named(
+        QLineEdit(placeholderText=hint, clearButtonEnabled=True), name, title=title or hint
+    )
+    if changed is not None:
+        line.textChanged.connect(changed)
+    return line
+
+
+class Pages(QStackedWidget):
+    """A widget, or in its place a text that explains why it has nothing to show."""
+
+    def __init__(self, content: QWidget, name: str) -> None:
+        super().__init__()
+        self.content, self.empty = content, empty_state("", name)
+        self.addWidget(content)
+        self.addWidget(self.empty)
+
+    def explain(self, why: str) -> None:
+        """Show a text; the content if it is empty."""
+        if why:
+            self.empty.setText(why)
+        self.setCurrentWidget(self.empty if why else self.content)
+
+
 def empty_state(text: str, name: str) -> QLabel:
     """A label that explains why a panel has nothing to show, and what to do about it."""
-    label = QLabel(text)
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-    label.setMargin(12)
-    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
-    return label
+    made = make_label(text, name, wrap=True, faint=True)
+    made.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    made.setMargin(12)
+    made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+    return made
 
 
 def note_label(name: str) -> QLabel:
     """A wrapping label for one line of explanation; hidden until `show_note` gives it text."""
-    label = QLabel()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
-    label.hide()
-    return label
+    made = make_label(name=name, wrap=True)
+    made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+    made.hide()
+    return made
 
 
-def show_note(label: QLabel, text: str) -> None:
+def show_note(note: QLabel, text: str) -> None:
     """Put text on a note; without text the note takes no room."""
-    if label.text() != text:
-        label.setText(text)
-    label.setVisible(bool(text))
+    if note.text() != text:
+        note.setText(text)
+    note.setVisible(bool(text))
 
 
-def choice(name: str, title: str = "") -> QComboBox:
-    """A list to choose from, as narrow as its panel; ``title`` is read out where no label is."""
-    combo = QComboBox()
-    combo.setObjectName(name)
-    combo.setAccessibleName(title)
+def choice(
+    name: str,
+    title: str = "",
+    *,
+    tip: str = "",
+    items: Iterable[tuple[str, object]] = (),
+    chosen: Callable[[Any], object] | None = None,
+) -> QComboBox:
+    """Make a list to choose from, as narrow as its panel.
+
+    Args:
+        name: the object name.
+        title: read out where no label is.
+        tip: the tool tip.
+        items: texts with their values.
+        chosen: receives the value that the user chooses.
+    """
+    combo = named(QComboBox(), name, tip=tip, title=title)
+    for text, value in items:
+        combo.addItem(text, value)
     combo.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     combo.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    if chosen is not None:
+        combo.activated.connect(lambda index: chosen(combo.itemData(index)))
     return combo
 
 
 def box_of(action: QAction, name: str) -> QCheckBox:
     """An action that is on or off as a box to be ticked."""
-    box = QCheckBox(action.text())
-    box.setObjectName(name)
-    box.setToolTip(action.toolTip())
+    box = named(QCheckBox(action.text()), name, tip=action.toolTip())
     box.setChecked(action.isChecked())
     box.clicked.connect(action.trigger)
     action.toggled.connect(box.setChecked)
