@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import islice, takewhile
 from weakref import WeakKeyDictionary
 
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
-    QAction,
     QColor,
     QIcon,
     QKeyEvent,
@@ -40,7 +40,7 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.dataset.computed_cameras import TRACK_NAME
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.gui.panels.widgets import note_label, show_note
+from procc_annotator.gui.panels.widgets import make_label, named, note_label, show_note
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, fixed_width
@@ -59,52 +59,41 @@ _PATCH = 14
 
 
 class SourceRow(QFrame):
-    """Shows a source, and emits what the user wants of it."""
+    """One source: choose, rename, colour, draw and remove it."""
 
-    activated = Signal()
-    renamed = Signal(str)
-    recoloured = Signal(str)
-    shown = Signal(bool)  # drawn beside the active one, or not
-    removed = Signal()
-
-    def __init__(self, index: int, source: CameraSource, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services, index: int, source: CameraSource) -> None:
+        super().__init__()
         self.setObjectName(f"cameras_row_{index}")
+        self._services, self._source = services, source
         self._active = False
         self._fixed = source.files is None  # the fit keeps its name and colour
         self._colour = ""
-        self.radio = ElidedRadio(source.name)
-        self.radio.setObjectName(f"cameras_set_{index}")
+        commands = services.camera_sources
+        self.radio = named(ElidedRadio(source.name), f"cameras_set_{index}")
         self.radio.installEventFilter(self)
-        self.edit = QLineEdit()
-        self.edit.setObjectName(f"cameras_name_{index}")
-        self.edit.setAccessibleName(tr("Name of the source"))
+        self.radio.clicked.connect(self._activate)
+        title = tr("Name of the source")
+        self.edit = named(QLineEdit(), f"cameras_name_{index}", title=title)
         self.edit.installEventFilter(self)
         self.edit.editingFinished.connect(self._finish_name)
-        self.colour = QToolButton(autoRaise=True)
-        self.colour.setObjectName(f"cameras_colour_{index}")
+        self.colour = named(QToolButton(autoRaise=True), f"cameras_colour_{index}")
         self.colour.setIconSize(QSize(_PATCH, _PATCH))
         self.colour.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.colour.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         if not self._fixed:
             self.colour.setMenu(self._colour_menu())
-        self.drawn = QCheckBox()
-        self.drawn.setObjectName(f"cameras_drawn_{index}")
-        self.drawn.setToolTip(tr("Draw as a wireframe while another source is judged"))
-        self.drawn.clicked.connect(self.shown)
-        self.jac = _detail(f"cameras_jac_{index}")
-        self.jac.setFont(fixed_width(self.font()))
-        self.model = ElidedDetail()
-        self.model.setObjectName(f"cameras_model_{index}")
-        self.matched = _detail(f"cameras_matched_{index}")
+        tip = tr("Draw as a wireframe while another source is judged")
+        self.drawn = named(QCheckBox(), f"cameras_drawn_{index}", tip=tip)
+        self.drawn.clicked.connect(lambda shown: commands.set_source_visible(source, shown))
+        self.jac = make_label(name=f"cameras_jac_{index}", font=fixed_width(self.font()))
+        self.model = named(ElidedDetail(), f"cameras_model_{index}")
+        self.matched = make_label(name=f"cameras_matched_{index}")
         self.remove = QToolButton(autoRaise=True)
         self.remove.setText("✕")
-        self.remove.setObjectName(f"cameras_remove_{index}")
-        self.remove.setToolTip(_what_remove_does(source))
-        self.remove.clicked.connect(self.removed)
+        named(self.remove, f"cameras_remove_{index}", tip=_what_remove_does(source))
+        self.remove.clicked.connect(self._remove)
         self.problem = note_label(f"cameras_problem_{index}")
         self._arrange()
-        self.radio.clicked.connect(self.activated)
         self.show_source(source)
 
     def _arrange(self) -> None:
@@ -190,12 +179,30 @@ class SourceRow(QFrame):
     def _finish_name(self) -> None:
         if self._names.currentWidget() is self.edit:
             self._names.setCurrentWidget(self.radio)
-            self.renamed.emit(self.edit.text())
+            self._services.camera_sources.rename_source(self._source, self.edit.text())
+
+    def _activate(self) -> None:
+        state = self._services.state
+        if state.active is not self._source:
+            self._services.camera_sources.set_active_camera(state.sources.index(self._source))
+
+    def _remove(self) -> None:
+        services = self._services
+        if self._source is services.shot_track.source:
+            services.shot_track.forget()
+        elif self._source.files is None:
+            services.live_fit.set_wanted(False)
+        else:
+            index = services.state.sources.index(self._source)
+            services.camera_sources.remove_camera_set(index)
+
+    def _set_colour(self, colour: str) -> None:
+        self._services.camera_sources.set_source_colour(self._source, colour)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             event.accept()
-            self.activated.emit()
+            self._activate()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
@@ -223,18 +230,15 @@ class SourceRow(QFrame):
     def _colour_menu(self) -> QMenu:
         menu = QMenu(self)
         for name, colour in zip(_COLOUR_NAMES, SOURCE_COLOURS, strict=True):
-            action = QAction(colour_icon(colour, self.devicePixelRatioF()), tr(name), menu)
-            action.triggered.connect(lambda _=False, chosen=colour: self.recoloured.emit(chosen))
-            menu.addAction(action)
-        other = QAction(tr("Other…"), menu)
-        other.triggered.connect(self._ask_colour)
-        menu.addAction(other)
+            icon = colour_icon(colour, self.devicePixelRatioF())
+            menu.addAction(icon, tr(name), partial(self._set_colour, colour))
+        menu.addAction(tr("Other…"), self._ask_colour)
         return menu
 
     def _ask_colour(self) -> None:
         chosen = QColorDialog.getColor(QColor(self._colour), self, tr("Colour of the source"))
         if chosen.isValid():
-            self.recoloured.emit(chosen.name())
+            self._set_colour(chosen.name())
 
 
 class ElidedRadio(QRadioButton):
@@ -302,13 +306,6 @@ def colour_icon(colour: str, ratio: float) -> QIcon:
     painter.drawRoundedRect(QRectF(corner.x(), corner.y(), _PATCH - 3, _PATCH - 3), 2.5, 2.5)
     painter.end()
     return QIcon(pixmap)
-
-
-def _detail(name: str) -> QLabel:
-    label = QLabel()
-    label.setObjectName(name)
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    return label
 
 
 def _what_remove_does(source: CameraSource) -> str:
@@ -379,37 +376,10 @@ class SourceList(QWidget):
             row.deleteLater()
         del self.rows[kept:]
         for index, source in enumerate(sources[kept:], start=kept):
-            row = SourceRow(index, source)
+            row = SourceRow(self._services, index, source)
             self._group.addButton(row.radio, index)
-            self._connect(row, source)
             self._layout.insertWidget(index, row)
             self.rows.append(row)
-
-    def _connect(self, row: SourceRow, source: CameraSource) -> None:
-        services = self._services
-        row.activated.connect(lambda: self._activate(source))
-        row.renamed.connect(lambda name: services.camera_sources.rename_source(source, name))
-        row.recoloured.connect(
-            lambda colour: services.camera_sources.set_source_colour(source, colour)
-        )
-        row.shown.connect(lambda shown: services.camera_sources.set_source_visible(source, shown))
-        row.removed.connect(lambda: self._remove(source))
-
-    def _activate(self, source: CameraSource) -> None:
-        if self._services.state.active is not source:
-            self._services.camera_sources.set_active_camera(
-                self._services.state.sources.index(source)
-            )
-
-    def _remove(self, source: CameraSource) -> None:
-        if source is self._services.shot_track.source:
-            self._services.shot_track.forget()
-        elif source.files is None:
-            self._services.live_fit.set_wanted(False)
-        else:
-            self._services.camera_sources.remove_camera_set(
-                self._services.state.sources.index(source)
-            )
 
     # --- what a row says -----------------------------------------------------------------------
 

@@ -247,6 +247,7 @@ SEARCH_KEYS = frozenset(
 LEFT_BY_ESCAPE = "left_by_escape"
 
 
+Margins = int | tuple[int, int, int, int]  # px, around or left, top, right, bottom
 W = TypeVar("W", bound=QWidget)
 Part = QWidget | QLayout | tuple[QWidget | QLayout, int] | None
 
@@ -259,7 +260,7 @@ def named(widget: W, name: str = "", *, tip: str = "", title: str = "") -> W:
     return widget
 
 
-def hbox(*parts: Part, spacing: int | None = None, margins: int | None = None) -> QHBoxLayout:
+def hbox(*parts: Part, spacing: int | None = None, margins: Margins | None = None) -> QHBoxLayout:
     """Lay out parts side by side, as `vbox` does."""
     return _fill(QHBoxLayout(), parts, spacing, margins)
 
@@ -268,7 +269,7 @@ def vbox(
     *parts: Part,
     of: QWidget | None = None,
     spacing: int | None = None,
-    margins: int | None = None,
+    margins: Margins | None = None,
 ) -> QVBoxLayout:
     """Lay out parts one below the other.
 
@@ -286,11 +287,11 @@ def vbox(
 B = TypeVar("B", bound=QBoxLayout)
 
 
-def _fill(box: B, parts: Iterable[Part], spacing: int | None, margins: int | None) -> B:
+def _fill(box: B, parts: Iterable[Part], spacing: int | None, margins: Margins | None) -> B:
     if spacing is not None:
         box.setSpacing(spacing)
     if margins is not None:
-        box.setContentsMargins(margins, margins, margins, margins)
+        box.setContentsMargins(*((margins,) * 4 if isinstance(margins, int) else margins))
     for part in parts:
         content, stretch = part if isinstance(part, tuple) else (part, 0)
         if isinstance(content, QWidget):
