@@ -9,11 +9,8 @@ from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QFont, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
-    QLineEdit,
-    QStackedLayout,
     QTreeWidget,
     QTreeWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -29,7 +26,14 @@ from procc_annotator.gui.panels.element_states import (
     words_for,
 )
 from procc_annotator.gui.panels.finding_rows import FindingSigns
-from procc_annotator.gui.panels.widgets import NARROW, SEARCH_KEYS, empty_state
+from procc_annotator.gui.panels.widgets import (
+    NARROW,
+    SEARCH_KEYS,
+    Pages,
+    named,
+    search_line,
+    vbox,
+)
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
@@ -83,16 +87,12 @@ class ElementsPanel(QWidget):
     # --- building ------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.search = QLineEdit(placeholderText=tr("Find an element"), clearButtonEnabled=True)
-        self.search.setObjectName("elements_search")
-        self.search.setAccessibleName(tr("Find an element"))
-        self.search.textChanged.connect(self._apply_search)
+        hint = tr("Find an element")
+        self.search = search_line(hint, "elements_search", self._apply_search)
         self.search.installEventFilter(self)
-        self.tree = QTreeWidget(columnCount=4)
+        self.tree = named(QTreeWidget(columnCount=4), "elements_tree", title=tr("Elements"))
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
-        self.tree.setObjectName("elements_tree")
-        self.tree.setAccessibleName(tr("Elements"))
         self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), tr("Pts"), tr("Status")])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
         self.tree.setIndentation(8)
@@ -113,15 +113,9 @@ class ElementsPanel(QWidget):
             lambda item: self._services.selection.hover_class(item.data(0, _CLASS))
         )
         self.tree.viewport().installEventFilter(self)
-        self.nothing = empty_state("", "elements_empty")
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self.tree)
-        self._stack.addWidget(self.nothing)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addWidget(self.search)
-        layout.addLayout(self._stack)
+        self._pages = Pages(self.tree, "elements_empty")
+        self.nothing = self._pages.empty
+        vbox(self.search, self._pages, of=self, spacing=4, margins=4)
 
     def _take_field(self) -> None:
         """List the classes of another field, or those of the same with other dimensions."""
@@ -305,13 +299,10 @@ class ElementsPanel(QWidget):
                 self.tree.setCurrentItem(best[1])
             else:
                 self.tree.setCurrentIndex(QModelIndex())
-            nothing = tr(
-                "No element matches “{query}”.\nEsc clears the search.", query=query.strip()
-            )
-            self.nothing.setText(nothing)
         else:
             self._show_selection()
-        self._stack.setCurrentWidget(self.tree if best else self.nothing)
+        why = tr("No element matches “{query}”.\nEsc clears the search.", query=query.strip())
+        self._pages.explain("" if best else why)
 
     def _likeliness(self) -> dict[str, tuple[bool, float]]:
         """Between classes that fit as well: first what is missing, and near what is annotated."""

@@ -12,9 +12,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QProgressBar,
     QPushButton,
-    QStackedLayout,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,7 +25,15 @@ from procc_annotator.gui.panels.finding_rows import (
     FindingsList,
     FindingsModel,
 )
-from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.panels.widgets import (
+    Pages,
+    hbox,
+    make_button,
+    named,
+    note_label,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 
@@ -166,48 +172,41 @@ class FindingsPanel(QWidget):
     # --- building -------------------------------------------------------------------------
 
     def _build(self) -> None:
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addLayout(self._make_head())
         self.note = note_label("findings_note")
         self.note.setTextFormat(Qt.TextFormat.RichText)
         self.note.linkActivated.connect(lambda _: self.restoreWanted.emit())
-        layout.addWidget(self.note)
         self.model = FindingsModel(self._services)
         self.model.setParent(self)
-        self.list = FindingsList()
-        self.list.setObjectName("findings_list")
-        self.list.setAccessibleName(tr("Findings"))
+        self.list = named(FindingsList(), "findings_list", title=tr("Findings"))
         self.list.setModel(self.model)
         self.list.selectionModel().currentChanged.connect(self._choose)
         self.list.clicked.connect(self._go)
         self.list.activated.connect(self._go)
         self.list.installEventFilter(self)
-        self.empty = empty_state("", "findings_empty")
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self.list)
-        self._stack.addWidget(self.empty)
-        layout.addLayout(self._stack, 1)
-        self.remedies = QVBoxLayout()
-        self.remedies.setSpacing(3)
+        self._pages = Pages(self.list, "findings_empty")
+        self.empty = self._pages.empty
+        self.remedies = vbox(spacing=3)
         self.remedy_buttons: list[WrappingButton] = []
-        layout.addLayout(self.remedies)
-        layout.addLayout(self._make_foot())
+        vbox(
+            self._make_head(),
+            self.note,
+            (self._pages, 1),
+            self.remedies,
+            self._make_foot(),
+            of=self,
+            spacing=4,
+            margins=4,
+        )
 
     def _make_head(self) -> QHBoxLayout:
-        self.scope = QComboBox()
-        self.scope.setObjectName("findings_scope")
-        self.scope.setAccessibleName(tr("Which findings are listed"))
+        title = tr("Which findings are listed")
+        self.scope = named(QComboBox(), "findings_scope", title=title)
         self.scope.addItems([tr("This frame"), tr("Whole set")])
         self.scope.currentIndexChanged.connect(lambda _: self._refresh())
         self.severity_buttons: dict[Severity, QToolButton] = {}
-        head = QHBoxLayout()
-        head.setSpacing(2)
-        head.addWidget(self.scope, 1)
+        head = hbox((self.scope, 1), spacing=2)
         for severity in Severity:
-            button = QToolButton()
-            button.setObjectName(f"findings_{severity}")
+            button = named(QToolButton(), f"findings_{severity}")
             button.setCheckable(True)
             button.setChecked(True)
             button.setIcon(finding_icon(severity, self.devicePixelRatioF()))
@@ -218,29 +217,25 @@ class FindingsPanel(QWidget):
         return head
 
     def _make_foot(self) -> QHBoxLayout:
-        self.check_button = QPushButton(tr("Check the whole set"))
-        self.check_button.setObjectName("findings_check")
-        self.check_button.setToolTip(tr("Look for wrong labels in every annotated frame"))
-        self.check_button.clicked.connect(self.checkWanted)
-        self.progress = QProgressBar()
-        self.progress.setObjectName("findings_progress")
-        self.progress.setAccessibleName(tr("Frames checked"))
+        self.check_button = make_button(
+            tr("Check the whole set"),
+            self.checkWanted,
+            "findings_check",
+            tip=tr("Look for wrong labels in every annotated frame"),
+        )
+        title = tr("Frames checked")
+        self.progress = named(QProgressBar(), "findings_progress", title=title)
         self.progress.setFormat("%v / %m")
-        self.stop_button = QPushButton(tr("Stop"))
-        self.stop_button.setObjectName("findings_stop")
-        self.stop_button.clicked.connect(self.stopWanted)
-        self.export_button = QPushButton(tr("Export…"))
-        self.export_button.setObjectName("findings_export")
-        self.export_button.setToolTip(tr("Write the findings of all checked frames as CSV"))
-        self.export_button.clicked.connect(self.exportWanted)
-        foot = QHBoxLayout()
-        foot.setSpacing(4)
-        foot.addWidget(self.check_button, 1)
-        foot.addWidget(self.progress, 1)
-        foot.addWidget(self.stop_button)
-        foot.addWidget(self.export_button)
+        self.stop_button = make_button(tr("Stop"), self.stopWanted, "findings_stop")
+        self.export_button = make_button(
+            tr("Export…"),
+            self.exportWanted,
+            "findings_export",
+            tip=tr("Write the findings of all checked frames as CSV"),
+        )
         self._show_progress(0, 0)
-        return foot
+        progress, check = (self.progress, 1), (self.check_button, 1)
+        return hbox(check, progress, self.stop_button, self.export_button, spacing=4)
 
     # --- showing --------------------------------------------------------------------------
 
@@ -269,8 +264,7 @@ class FindingsPanel(QWidget):
                 "{n:,} more are not listed: switch the signs above on.",
             )
         self._show_entries(entries, whole_set)
-        self.empty.setText(words)
-        self._stack.setCurrentWidget(self.list if entries else self.empty)
+        self._pages.explain("" if entries else words)
         self._show_note(words if entries else "", whole_set)
         self._show_remedies()
         self.check_button.setEnabled(self._services.state.workspace is not None)
@@ -306,7 +300,7 @@ class FindingsPanel(QWidget):
     def _show_remedies(self) -> None:
         """Buttons for what can be done about the current finding."""
         found = self._check.current
-        listed = self._stack.currentWidget() is self.list
+        listed = self._pages.currentWidget() is self.list
         wanted: list[tuple[str, str, Callable[[], None]]] = []
         if found is not None and listed:
             for at, remedy in enumerate(found.finding.remedies[:_MOST_REMEDIES]):
@@ -324,8 +318,7 @@ class FindingsPanel(QWidget):
                 (tr("Ignore this finding"), tip, lambda: self.ignoreWanted.emit(name, found))
             )
         while len(self.remedy_buttons) < len(wanted):
-            button = WrappingButton()
-            button.setObjectName(f"findings_remedy_{len(self.remedy_buttons)}")
+            button = named(WrappingButton(), f"findings_remedy_{len(self.remedy_buttons)}")
             self.remedies.addWidget(button)
             self.remedy_buttons.append(button)
         for at, button in enumerate(self.remedy_buttons):

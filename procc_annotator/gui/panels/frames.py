@@ -11,11 +11,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLabel,
-    QLineEdit,
-    QStackedLayout,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -28,10 +24,14 @@ from procc_annotator.gui.panels.frame_delegate import FrameDelegate
 from procc_annotator.gui.panels.frame_rows import FramesModel
 from procc_annotator.gui.panels.widgets import (
     SEARCH_KEYS,
-    empty_state,
+    Pages,
     list_rows,
+    make_label,
+    named,
     note_label,
+    search_line,
     show_note,
+    vbox,
 )
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, after_paint
@@ -185,11 +185,11 @@ class FramesPanel(QWidget):
         self.model = FramesModel(services, cache)
         self.model.setParent(self)
         self.frame_filter = FrameFilter(services, self)
-        self.frame_filter.found.connect(self._take_found)
-        self.frame_filter.problem.connect(self._tell_problem)
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
+        self.frame_filter.found.connect(self._take_found)
+        self.frame_filter.problem.connect(lambda text: show_note(self.problem, text))
         services.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = after_paint(self, self._follow_frames)
@@ -215,16 +215,11 @@ class FramesPanel(QWidget):
         self.filter.selectAll()
 
     def _build(self) -> None:
-        self.filter = QLineEdit(placeholderText=tr("Filter frames"), clearButtonEnabled=True)
-        self.filter.setObjectName("frames_filter")
-        self.filter.setAccessibleName(tr("Filter frames"))
+        self.filter = search_line(tr("Filter frames"), "frames_filter", self.frame_filter.set_text)
         self.filter.setToolTip(_help_table())
-        self.filter.textChanged.connect(self._apply_filter)
         self.filter.installEventFilter(self)
         # Laying out 20,000 rows takes a QListView 40 ms, a table of fixed rows 0.2 ms.
-        self.list = QTableView()
-        self.list.setObjectName("frames_list")
-        self.list.setAccessibleName(tr("Frames"))
+        self.list = named(QTableView(), "frames_list", title=tr("Frames"))
         self.list.setMouseTracking(True)
         self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -241,20 +236,12 @@ class FramesPanel(QWidget):
         self.list.clicked.connect(self._choose)  # arrows walk on in the list
         self.list.activated.connect(self._activate)
         self.list.installEventFilter(self)
-        self.empty = empty_state("", "frames_empty")
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self.list)
-        self._stack.addWidget(self.empty)
+        self._pages = Pages(self.list, "frames_empty")
+        self.empty = self._pages.empty
         self.problem = note_label("frames_problem")
-        self.count = QLabel()
-        self.count.setObjectName("frames_count")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addWidget(self.filter)
-        layout.addWidget(self.problem)
-        layout.addLayout(self._stack, 1)
-        layout.addWidget(self.count)
+        self.count = make_label(name="frames_count")
+        parts = (self.filter, self.problem, (self._pages, 1), self.count)
+        vbox(*parts, of=self, spacing=4, margins=4)
 
     def _take_dataset(self) -> None:
         self.model.reset()
@@ -266,16 +253,10 @@ class FramesPanel(QWidget):
         self._show_which()
         self._show_current()
 
-    def _apply_filter(self, text: str) -> None:
-        self.frame_filter.set_text(text)
-
     def _take_found(self, rows: list[int] | None) -> None:
         self.model.show_only(rows)
         self._show_which()
         self._show_current()
-
-    def _tell_problem(self, text: str) -> None:
-        show_note(self.problem, text)
 
     def _search(self) -> None:
         if self.frame_filter.depends_on_work:
@@ -290,13 +271,13 @@ class FramesPanel(QWidget):
     def _show_which(self) -> None:
         total, shown = self.model.total, self.model.shown
         if not total:
-            self.empty.setText(
-                tr("No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here.")
+            why = tr(
+                "No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here."
             )
             self.count.clear()
         else:
             query = self.filter.text().strip()
-            self.empty.setText(tr("Nothing matches “{query}”.", query=query))
+            why = tr("Nothing matches “{query}”.", query=query)
             frames = tr_count(total, "{n:,} frame", "{n:,} frames")
             if self.model.folders:
                 frames = tr_count(
@@ -308,7 +289,7 @@ class FramesPanel(QWidget):
             if shown != total:
                 frames = tr("{shown:,} of {frames}", shown=shown, frames=frames)
             self.count.setText(frames)
-        self._stack.setCurrentWidget(self.list if shown else self.empty)
+        self._pages.explain("" if shown else why)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.filter and isinstance(event, QKeyEvent) and event.key() in SEARCH_KEYS:
