@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
+from PySide6.QtWidgets import QComboBox, QLabel
 
 from procc_annotator.batch.audit import (
     Arrows,
@@ -23,6 +23,7 @@ from procc_annotator.batch.audit import (
 )
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.widgets import hbox, named
 from procc_annotator.gui.theme import muted
 from procc_annotator.translation import tr, tr_count, word
 
@@ -199,20 +200,15 @@ class VectorsPage(PlotPage[Vectors]):
         self.border = self.pg.PlotCurveItem()
         self.item.addItem(self.border)
         self._framed: tuple[int, int] | None = None
-        self.factor = QComboBox()
-        self.factor.setObjectName("plot_vectors_factor")
-        self.factor.setAccessibleName(tr("Arrows drawn longer"))
-        self.factor.setToolTip(tr("How many times longer than they are arrows are drawn"))
+        tip = tr("How many times longer than they are arrows are drawn")
+        title = tr("Arrows drawn longer")
+        self.factor = named(QComboBox(), "plot_vectors_factor", tip=tip, title=title)
         self.factor.addItem(tr("automatic"), _AUTOMATIC)
         for factor in _FACTORS:
             self.factor.addItem(f"{factor} ×", factor)
-        self.factor.currentIndexChanged.connect(lambda _: self.changed.emit())
-        row = QHBoxLayout()
-        row.addWidget(QLabel(tr("Arrows")))
-        row.addWidget(self.factor)
-        row.addStretch(1)
+        self.factor.currentIndexChanged.connect(self.changed)
         layout = self.layout()
-        layout.insertLayout(0, row)  # type: ignore[union-attr]
+        layout.insertLayout(0, hbox(QLabel(tr("Arrows")), self.factor, None))  # type: ignore[union-attr]
         self.restyle()
 
     @staticmethod

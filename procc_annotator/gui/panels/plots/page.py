@@ -11,11 +11,11 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette, QPen
-from PySide6.QtWidgets import QSizePolicy, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.batch.audit import FloatArray, PlotData
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
-from procc_annotator.gui.panels.widgets import empty_state
+from procc_annotator.gui.panels.widgets import Pages, vbox
 from procc_annotator.gui.theme import follow_theme, muted, readable
 from procc_annotator.translation import tr
 
@@ -225,13 +225,9 @@ class PlotPage(QWidget, Generic[D]):
         self.sharpness: float | None = None  # px of the device a logical one; None: the screen's
         self.plots: list[Any] = []
         self.items: list[Items] = []
-        self.empty = empty_state("", f"{name}_empty")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        self._pages = QStackedLayout()
-        layout.addLayout(self._pages, 1)  # first: a page of no window would be one for a moment
-        self._pages.addWidget(self.view)
-        self._pages.addWidget(self.empty)
+        self._pages = Pages(self.view, f"{name}_empty")
+        self.empty = self._pages.empty
+        vbox((self._pages, 1), of=self, margins=0)
 
     # --- to be given by each page ---------------------------------------------------------
 
@@ -264,8 +260,7 @@ class PlotPage(QWidget, Generic[D]):
 
     def say_empty(self, why: str) -> None:
         """Show words in place of the plot, or the plot (no words)."""
-        self.empty.setText(why)
-        self._pages.setCurrentWidget(self.empty if why else self.view)
+        self._pages.explain(why)
 
     def add_plot(self, row: int, bottom: str, left: str, *, movable: bool = True) -> Any:
         """A set of axes with labels."""

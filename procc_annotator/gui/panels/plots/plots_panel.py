@@ -10,13 +10,10 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QGridLayout,
-    QHBoxLayout,
-    QLabel,
     QMenu,
     QSizePolicy,
-    QStackedLayout,
+    QStackedWidget,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -24,7 +21,7 @@ from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
 from procc_annotator.gui.panels.plots.export import ExportablePlot
 from procc_annotator.gui.panels.plots.page import PlotPage
-from procc_annotator.gui.panels.widgets import choice, empty_state
+from procc_annotator.gui.panels.widgets import choice, empty_state, hbox, make_label, named, vbox
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.selectors import judged
@@ -96,11 +93,9 @@ class PlotsPanel(ExportablePlot):
         self.classes.blockSignals(blocked)
 
     def _build_more(self) -> QToolButton:
-        more = QToolButton()
-        more.setObjectName("plots_more")
+        tip = tr("Copy or save the plot and its numbers")
+        more = named(QToolButton(), "plots_more", tip=tip, title=tr("Copy or save the plot"))
         more.setText(tr("Save"))
-        more.setToolTip(tr("Copy or save the plot and its numbers"))
-        more.setAccessibleName(tr("Copy or save the plot"))
         more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(more)
         for name, text, slot in (
@@ -109,53 +104,43 @@ class PlotsPanel(ExportablePlot):
             ("save_picture", tr("Save picture…"), self.ask_picture),
             ("save_numbers", tr("Save numbers…"), self.ask_numbers),
         ):
-            action = menu.addAction(text, slot)
-            action.setObjectName(f"plots_{name}")
+            menu.addAction(text, slot).setObjectName(f"plots_{name}")
         more.setMenu(menu)
         return more
 
     def _build(self) -> None:
         self.chooser = choice("plots_page", tr("Plot"))
         self.chooser.currentIndexChanged.connect(self._turn_page)
-        self.scope = choice("plots_scope", tr("Frames"))
-        for scope, words in _SCOPES.items():
-            self.scope.addItem(tr(words), scope)
-        self.scope.setToolTip(tr("Plot the frame on screen, or all frames scored so far"))
+        self.scope = choice(
+            "plots_scope",
+            tr("Frames"),
+            tip=tr("Plot the frame on screen, or all frames scored so far"),
+            items=[(tr(words), scope) for scope, words in _SCOPES.items()],
+        )
         self.scope.currentIndexChanged.connect(self._redraw)
-        self.classes = choice("plots_class", tr("Element"))
-        self.classes.setToolTip(tr("Plot the points of one element only"))
+        tip = tr("Plot the points of one element only")
+        self.classes = choice("plots_class", tr("Element"), tip=tip)
         self._offer_classes()
         self._services.store.watch(select.field, self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
         self.more = self._build_more()
-        first = QHBoxLayout()
-        first.addWidget(self.chooser, 1)
-        first.addWidget(self.more)
         second = QGridLayout()
-        second.addWidget(self.scope, 0, 0)
-        second.addWidget(self.classes, 0, 1)
-        second.setColumnStretch(0, 1)
-        second.setColumnStretch(1, 1)
+        for place, part in enumerate((self.scope, self.classes)):
+            second.addWidget(part, 0, place)
+            second.setColumnStretch(place, 1)
         self.empty = empty_state("", "plots_empty")
-        self._stack = QStackedLayout()
-        self.notes = QLabel()
-        self.notes.setObjectName("plots_notes")
-        self.notes.setWordWrap(True)
+        self._stack = QStackedWidget()
+        self._stack.addWidget(self.empty)
+        self.notes = make_label(name="plots_notes", wrap=True)
         self.notes.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.notes.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.notes.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.setSpacing(4)
         self._choices = QBoxLayout(QBoxLayout.Direction.TopToBottom)
         self._choices.setSpacing(4)
-        self._choices.addLayout(first, 1)
+        self._choices.addLayout(hbox((self.chooser, 1), self.more), 1)
         self._choices.addLayout(second, 1)
-        layout.addLayout(self._choices)
-        layout.addWidget(self.legend)
-        layout.addLayout(self._stack, 1)
-        self._stack.addWidget(self.empty)
-        layout.addWidget(self.notes)
+        parts = (self._choices, self.legend, (self._stack, 1), self.notes)
+        vbox(*parts, of=self, spacing=4, margins=6)
         self._read_out("")
 
     def _read_out(self, text: str) -> None:
