@@ -38,17 +38,6 @@ class _Read:
     problem: str = ""
 
 
-class _ProblemBar(Bar):
-    """Shows the error in the file until it is fixed."""
-
-    def __init__(self) -> None:
-        super().__init__("problemBar")
-
-    def tell(self, text: str) -> None:
-        self.label.setText(text)
-        self.setVisible(bool(text))
-
-
 class FieldPreview(QMainWindow):
     """Shows a field by name or from a file; the last good one stays while the file is broken."""
 
@@ -71,7 +60,7 @@ class FieldPreview(QMainWindow):
         self._taken_keys = dict(taken_keys or {})
         self.services = Services(parent=self)
         self.services.live_fit.set_wanted(False)
-        self.problem_bar = _ProblemBar()
+        self.problem_bar = Bar("problemBar")
         self.map = FieldMapPanel(self.services)
         self.elements = ElementsPanel(self.services)
         self.facts = QLabel()

@@ -27,9 +27,9 @@ from procc_annotator.gui.commands.shot.accepting import StretchAccepting
 from procc_annotator.gui.commands.shot.following import ShotFollowing
 from procc_annotator.gui.commands.shot.walking import ShotWalk
 from procc_annotator.gui.messages import (
+    Bar,
     BarStack,
     ConflictBar,
-    FrameBar,
     MessageBar,
     ask_to_leave_unsaved,
 )
@@ -186,8 +186,10 @@ class MainWindow(QMainWindow):
         self.commands = Commands(services, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
-        self.message_bar, self.frame_bar = MessageBar(), FrameBar()
-        self.conflict_bar = ConflictBar()
+        editing = self.services.editing
+        self.message_bar = MessageBar(lambda name: self.actions_[name].trigger())
+        self.frame_bar = Bar("frameBar")
+        self.conflict_bar = ConflictBar(editing.reload_frame, editing.overwrite_frame)
         self.field_bar = FieldBar()
         self.field_choosing = FieldChoosing(self.services, self.settings, self.field_bar, self)
         self.welcome = Welcome(with_sample=sample_folder() is not None)
@@ -263,7 +265,6 @@ class MainWindow(QMainWindow):
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
         services.store.watch(select.frame, self._fit_below_bars)
-        self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
         self.welcome.open_video.connect(self.opening.open_video)

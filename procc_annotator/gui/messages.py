@@ -9,6 +9,7 @@ from typing import TypeVar
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QFileDialog,
     QHBoxLayout,
     QLabel,
@@ -113,6 +114,18 @@ class Bar(QWidget):
         self.row.addWidget(self.label, 1)
         self.hide()
 
+    def tell(self, text: str) -> None:
+        """Show a text; nothing if it is empty."""
+        if text:
+            self.label.setText(text)
+        self.setVisible(bool(text))
+
+    def add_button(self, button: QAbstractButton, tip: str, do: Callable[[], object]) -> None:
+        """Put a button at the right end."""
+        button.setToolTip(tip)
+        button.clicked.connect(do)
+        self.row.addWidget(button)
+
     def follow_theme(self) -> None:
         """Take the colours of the theme; Qt says nothing to a widget with a style sheet."""
         name = self.objectName()
@@ -131,26 +144,21 @@ class MessageBar(Bar):
     """The last error or warning, until it is dismissed, its cause is gone, or work has gone on: it
     is seen on the frame it came up on and on the next one."""
 
-    remedy_wanted = Signal(str)  # the action that may help
-
-    def __init__(self) -> None:
+    def __init__(self, do: Callable[[str], object]) -> None:
+        """Show nothing yet; ``do`` receives the name of an action that may help."""
         super().__init__("messageBar")
         self._remedy = ""
         self.remedy = QPushButton(tr(_USUAL_REMEDY))
         self.remedy.setObjectName("messageRemedy")
-        self.remedy.clicked.connect(lambda: self.remedy_wanted.emit(self._remedy))
-        self.row.addWidget(self.remedy)
-        close = QToolButton()
+        self.add_button(self.remedy, "", lambda: do(self._remedy))
+        close = QToolButton(autoRaise=True)
         close.setText("✕")
-        close.setAutoRaise(True)
-        close.setToolTip(tr("Dismiss this message"))
         close.setAccessibleName(tr("Dismiss this message"))
-        close.clicked.connect(self.hide)
-        self.row.addWidget(close)
+        self.add_button(close, tr("Dismiss this message"), self.hide)
         self._fresh = False
         self._lines: list[Message | Notice] = []
 
-    def tell(self, message: Message, *, above: Iterable[Notice] = ()) -> None:
+    def show_message(self, message: Message, *, above: Iterable[Notice] = ()) -> None:
         """Show one line, under those that are still so."""
         self._show_lines([*above, message])
         self._offer(message.remedy)
@@ -183,40 +191,17 @@ class MessageBar(Bar):
         self._fresh = False
 
 
-class FrameBar(Bar):
-    """Shows why the frame on screen cannot be edited, as long as that is so."""
-
-    def __init__(self) -> None:
-        super().__init__("frameBar")
-
-    def tell(self, problem: str) -> None:
-        """Show the problem, or nothing."""
-        if problem:
-            self.label.setText(tr("This frame is not editable. {problem}", problem=problem))
-        self.setVisible(bool(problem))
-
-
 class ConflictBar(Bar):
     """Another person changed the file of the frame on screen: whose work stays?"""
 
-    reload_chosen = Signal()
-    overwrite_chosen = Signal()
-
-    def __init__(self) -> None:
+    def __init__(self, reload: Callable[[], object], overwrite: Callable[[], object]) -> None:
         super().__init__("conflictBar")
         self.reload_button = QPushButton(tr("Reload theirs"))
-        self.reload_button.setToolTip(tr("Show what is in the file; undo brings your version back"))
-        self.reload_button.clicked.connect(self.reload_chosen)
+        tip = tr("Show what is in the file; undo brings your version back")
+        self.add_button(self.reload_button, tip, reload)
         self.overwrite_button = QPushButton(tr("Overwrite with mine"))
-        self.overwrite_button.setToolTip(tr("Write what you see on screen over the file"))
-        self.overwrite_button.clicked.connect(self.overwrite_chosen)
-        self.row.addWidget(self.reload_button)
-        self.row.addWidget(self.overwrite_button)
-
-    def tell(self, problem: str) -> None:
-        """Show the conflict, or nothing."""
-        self.label.setText(problem)
-        self.setVisible(bool(problem))
+        tip = tr("Write what you see on screen over the file")
+        self.add_button(self.overwrite_button, tip, overwrite)
 
 
 class BarStack(QWidget):
@@ -268,41 +253,37 @@ class BarStack(QWidget):
 
 def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:
     """Delete something that undo does not bring back?"""
-    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Delete"))
+    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Keep it"), tr("Delete"))
 
 
 def ask_to_replace(parent: QWidget, what: str, lost: str) -> bool:
     """Write over a file that says something else?"""
     text = tr("{what} is there already, and says something else.", what=what)
-    return _ask(parent, text, lost, tr("Replace it"))
-
-
-def _ask(parent: QWidget, text: str, lost: str, yes: str) -> bool:
-    box = QMessageBox(parent)
-    box.setIcon(QMessageBox.Icon.Question)
-    box.setText(text)
-    box.setInformativeText(lost)
-    keep = box.addButton(tr("Keep it"), QMessageBox.ButtonRole.RejectRole)
-    agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
-    box.setDefaultButton(keep)
-    box.exec()
-    return box.clickedButton() is agree
+    return _ask(parent, text, lost, tr("Keep it"), tr("Replace it"))
 
 
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
     """Close although something could not be written?"""
-    box = QMessageBox(parent)
-    box.setIcon(QMessageBox.Icon.Warning)
-    box.setText(
-        tr_count(
-            len(problems),
-            "{n} frame is not saved, and saving failed again just now.",
-            "{n} frames are not saved, and saving failed again just now.",
-        )
+    text = tr_count(
+        len(problems),
+        "{n} frame is not saved, and saving failed again just now.",
+        "{n} frames are not saved, and saving failed again just now.",
     )
-    box.setInformativeText("\n".join(problems[:5]))
-    stay = box.addButton(tr("Stay"), QMessageBox.ButtonRole.RejectRole)
-    leave = box.addButton(tr("Close and lose them"), QMessageBox.ButtonRole.DestructiveRole)
-    box.setDefaultButton(stay)
+    leave, icon = tr("Close and lose them"), QMessageBox.Icon.Warning
+    return _ask(parent, text, "\n".join(problems[:5]), tr("Stay"), leave, icon)
+
+
+def _ask(
+    parent: QWidget,
+    text: str,
+    lost: str,
+    no: str,
+    yes: str,
+    icon: QMessageBox.Icon = QMessageBox.Icon.Question,
+) -> bool:
+    box = QMessageBox(icon, "", text, parent=parent, informativeText=lost)
+    keep = box.addButton(no, QMessageBox.ButtonRole.RejectRole)
+    agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
+    box.setDefaultButton(keep)
     box.exec()
-    return box.clickedButton() is leave
+    return box.clickedButton() is agree

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QSizePolicy, QSt
 from procc_annotator import error_log
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar
+from procc_annotator.gui.messages import Bar, ConflictBar, MessageBar
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.messages import UNSAVED, Message
@@ -397,45 +397,44 @@ class MessageRouter(QObject):
     def __init__(
         self,
         services: Services,
-        bars: tuple[MessageBar, FrameBar, ConflictBar],
+        bars: tuple[MessageBar, Bar, ConflictBar],
         status: StatusLine,
         window: QMainWindow,
     ) -> None:
         super().__init__(window)
         self._services, self._status, self._window = services, status, window
         self._messages, self._frame_bar, self._conflicts = bars
-        services.store.watch(select.dataset, self._messages.hide)
-        services.store.watch(select.frame, self._tell_frame)
-        services.store.watch(select.annotation, self._tell_broken)
-        services.store.watch(select.unsaved, self._tell_saved)
-        services.store.watch(select.frame, self._tell_saved)
-        services.store.watch(select.mode, self._tell_broken)
-        services.store.watch(select.frame, status.forget)
-        services.store.watch(select.blind, self._hide_told)
-        services.store.watch(lambda s: s.notices, self._keep_notices)
+        watch = services.store.watch
+        watch(select.dataset, self._messages.hide)
+        watch(select.frame, self._take_frame)
+        watch(lambda s: (select.annotation(s), select.mode(s)), self._show_not_editable)
+        watch(lambda s: (select.frame(s), s.unsaved), self._show_saved)
+        watch(select.blind, self._hide_message)
+        watch(lambda s: s.notices, self._keep_notices)
         services.store.events.message.connect(self._tell)
-        self._conflicts.reload_chosen.connect(services.editing.reload_frame)
-        self._conflicts.overwrite_chosen.connect(services.editing.overwrite_frame)
-        self._tell_frame()
-        self._tell_saved()
+        self._take_frame()
+        self._show_saved()
 
-    def _tell_frame(self) -> None:
+    def _take_frame(self) -> None:
         if not self._services.saver.problems:
-            self._messages.grow_old()  # it was said of the frame before
-        self._tell_broken()
+            self._messages.grow_old()  # it was of the frame before
+        self._status.forget()
+        self._show_not_editable()
 
-    def _tell_broken(self) -> None:
-        self._frame_bar.tell(self._services.state.why_not_editable)
+    def _show_not_editable(self) -> None:
+        why = self._services.state.why_not_editable
+        text = tr("This frame is not editable. {problem}", problem=why) if why else ""
+        self._frame_bar.tell(text)
 
-    def _tell_saved(self) -> None:
+    def _show_saved(self) -> None:
         saver, frame = self._services.saver, self._services.state.frame
         conflict = saver.conflict(self._services.state.frame_index)
         self._conflicts.tell(str(conflict) if conflict is not None else "")
         self._window.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
         self._window.setWindowModified(bool(saver.problems))
 
-    def _hide_told(self) -> None:
-        if self._services.state.blind:  # it may say how a camera does
+    def _hide_message(self) -> None:
+        if self._services.state.blind:  # it may contain the score of a camera
             self._status.forget(just_told=True)
 
     def _keep_notices(self) -> None:
@@ -452,9 +451,9 @@ class MessageRouter(QObject):
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).
             unsaved = [notice for notice in services.state.notices if notice.key == UNSAVED]
-            self._messages.tell(message, above=unsaved)
+            self._messages.show_message(message, above=unsaved)
         elif conflict is None or message.text != str(conflict):  # that one has a bar of its own
-            self._messages.tell(message)
+            self._messages.show_message(message)
 
 
 class ErrorReports(QObject):
