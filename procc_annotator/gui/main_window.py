@@ -17,7 +17,7 @@ from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsT
 from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
 from procc_annotator.gui.commands.files.exporting import ExportAs, Exporter, FitSaving
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
-from procc_annotator.gui.commands.files.opening import OpeningTask, SourceMemory, sample_folder
+from procc_annotator.gui.commands.files.opening import OpeningTask, SourceMemory
 from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
 from procc_annotator.gui.commands.review.frame_walks import StatusWalk, WorstFirst
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
@@ -192,7 +192,7 @@ class MainWindow(QMainWindow):
         self.conflict_bar = ConflictBar(editing.reload_frame, editing.overwrite_frame)
         self.field_bar = FieldBar()
         self.field_choosing = FieldChoosing(self.services, self.settings, self.field_bar, self)
-        self.welcome = Welcome(with_sample=sample_folder() is not None)
+        self.welcome = Welcome(self.opening, self.settings.get(RECENT))
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
         self.pages.addWidget(self.canvas)
@@ -258,23 +258,15 @@ class MainWindow(QMainWindow):
         menu = RecentMenu(self.settings, self.opening.open_path, self)
         before = self.actions_["open_sample"]
         self.actions_.menus["File"].insertMenu(before, menu)  # not shown
-        self.welcome.show_recent(self.settings.get(RECENT))
-        self.welcome.open_recent.connect(self.opening.open_path)
 
     def _connect(self) -> None:
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
         services.store.watch(select.frame, self._fit_below_bars)
-        self.welcome.open_folder.connect(self.opening.open_folder)
-        self.welcome.open_picture.connect(self.opening.open_picture)
-        self.welcome.open_video.connect(self.opening.open_video)
-        self.welcome.open_sample.connect(self.opening.open_sample)
         self.opening.secondChosen.connect(self.agreement.open)
         self.services.second_annotator.opened.connect(self._show_second)
-        self.elements.left.connect(self.canvas.setFocus)
-        self.frames.left.connect(self.canvas.setFocus)
-        self.review.left.connect(self.canvas.setFocus)
-        self.landmarks.left.connect(self.canvas.setFocus)
+        for panel in (self.elements, self.frames, self.review, self.landmarks):
+            panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
         self.side_bar.lookChanged.connect(self.canvas.set_look)

@@ -6,22 +6,19 @@ import re
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QAction, QDesktopServices, QPalette, QTextBlock, QTextCursor
+from PySide6.QtGui import QAction, QDesktopServices, QTextBlock, QTextCursor
 from PySide6.QtWidgets import (
     QDialog,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
     QListWidget,
     QListWidgetItem,
     QMessageBox,
     QSplitter,
     QTextBrowser,
-    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.panels.widgets import hbox, make_label, named, search_line, vbox
 from procc_annotator.gui.settings import AUTHOR, KEYS
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Mode
@@ -51,32 +48,21 @@ class Guide(QDialog):
         self.setObjectName("guide")
         self.setWindowTitle(tr("User guide"))
         self._folder, self.page_name = folder, ""
-        find = tr("Find words in this page")
-        self.search = QLineEdit(placeholderText=find, clearButtonEnabled=True)
-        self.search.setObjectName("guideSearch")
-        self.search.setAccessibleName(find)
+        self.search = search_line(tr("Find words in this page"), "guideSearch")
         self.search.returnPressed.connect(self._find)
-        self.headings = QListWidget()
-        self.headings.setObjectName("guideHeadings")
-        self.headings.setAccessibleName(tr("Headings"))
+        self.headings = named(QListWidget(), "guideHeadings", title=tr("Headings"))
         self.headings.itemClicked.connect(self._go)
         self.headings.itemActivated.connect(self._go)
-        self.page = QTextBrowser()
-        self.page.setObjectName("guidePage")
-        self.page.setAccessibleName(tr("User guide"))
+        self.page = named(QTextBrowser(), "guidePage", title=tr("User guide"))
         self.page.setOpenLinks(False)
         self.page.anchorClicked.connect(self._follow)
         parts = QSplitter(Qt.Orientation.Horizontal)
         parts.addWidget(self.headings)
         parts.addWidget(self.page)
         parts.setSizes([_SIZE[0] // 4, _SIZE[0] * 3 // 4])
-        row = QHBoxLayout()
-        row.addWidget(self.search)
-        column = QVBoxLayout(self)
-        column.addLayout(row)
-        if not is_english():
-            column.addWidget(_language_note())
-        column.addWidget(parts, 1)
+        note = make_label(tr("The user guide is in English."), "guideLanguage", faint=True)
+        note.setHidden(is_english())
+        vbox(hbox(self.search), note, (parts, 1), of=self)
         screen = self.screen().availableGeometry().size()
         self.resize(min(_SIZE[0], screen.width()), min(_SIZE[1], screen.height()))
         self.open_page(_FIRST)
@@ -126,13 +112,6 @@ class Guide(QDialog):
             item = self.headings.item(row)
             if _anchor(item.text()) == wanted:
                 self._go(item)
-
-
-def _language_note() -> QLabel:
-    note = QLabel(tr("The user guide is in English."))
-    note.setObjectName("guideLanguage")
-    note.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-    return note
 
 
 def _anchor(heading: str) -> str:
