@@ -507,3 +507,15 @@ class RangeBox(DecimalBox):
         if not is_number or self.minimum() <= number <= self.maximum():
             return None
         return number
+
+
+def range_box(least: float, most: float, step: float, unit: str, *, decimals: int = 1) -> RangeBox:
+    """Make a box for a number; one out of range is refused next to it."""
+    box = RangeBox()
+    box.setDecimals(decimals)
+    box.setRange(least, most)
+    box.setSingleStep(step)
+    box.setSuffix(unit)
+    box.setKeyboardTracking(False)
+    box.refused.connect(box.tell_refused)
+    return box

@@ -143,6 +143,7 @@ class ActionStates(QObject):
         services.blind_lock.refused.connect(self._show_mode)
         services.store.watch(select.annotation, self._show_steps, When.AFTER_PAINT)
         services.store.watch(lambda s: s.keymap, self._take_keys)
+        services.store.watch(lambda s: s.setup, self._show_evaluation)
         services.live_fit.changed.connect(self._show_live_fit)
         services.disagreement.changed.connect(self._show_maps)
         services.uncertainty.changed.connect(self._show_maps)
@@ -166,6 +167,11 @@ class ActionStates(QObject):
         undone, redone = self._services.editing.steps
         self._actions.set_step("undo", undone and tr(undone))
         self._actions.set_step("redo", redone and tr(redone))
+
+    def _show_evaluation(self) -> None:
+        setup = self._services.state.setup
+        self._actions.set_checked(f"protocol_{setup.protocol}", True)
+        self._actions.set_checked(f"off_plane_{setup.off_plane}", True)
 
     def _show_live_fit(self) -> None:
         self._actions.set_checked("live_fit", self._services.live_fit.wanted)

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.widgets import RangeBox
+from procc_annotator.gui.panels.widgets import range_box
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
@@ -49,14 +49,8 @@ class TauControl(QWidget):
         self.slider.setSingleStep(5)
         self.slider.setPageStep(20)
         self.slider.setFixedWidth(100)
-        self.spin = RangeBox()
-        self.spin.refused.connect(self.spin.tell_refused)
+        self.spin = range_box(MIN_TAU, MAX_TAU, 0.5, " px")
         self.spin.setObjectName("tauSpin")
-        self.spin.setRange(MIN_TAU, MAX_TAU)
-        self.spin.setDecimals(1)
-        self.spin.setSingleStep(0.5)
-        self.spin.setSuffix(" px")
-        self.spin.setKeyboardTracking(False)
         self.spin.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(4, 0, 4, 0)
