@@ -9,21 +9,26 @@ from itertools import islice
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QPalette
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHeaderView,
-    QLabel,
-    QLineEdit,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.keymap import key_text
-from procc_annotator.gui.panels.widgets import Index, RowsModel, list_rows
+from procc_annotator.gui.panels.widgets import (
+    Index,
+    RowsModel,
+    list_rows,
+    make_label,
+    named,
+    search_line,
+    vbox,
+)
 from procc_annotator.gui.settings import CALLED, OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.services import Services
@@ -299,19 +304,12 @@ class CommandPalette(QFrame):
         self.setAutoFillBackground(True)
         self._found, self._settings = found, settings
         self._before: QWidget | None = None  # who had the keyboard
-        self.search = QLineEdit()
-        self.search.setObjectName("paletteSearch")
-        self.search.setPlaceholderText(
-            tr("An action, element, frame, camera source, folder, number")
-        )
-        self.search.setAccessibleName(tr("Find anything"))
-        self.search.setClearButtonEnabled(True)
-        self.search.textChanged.connect(self._show)
+        hint = tr("An action, element, frame, camera source, folder, number")
+        title = tr("Find anything")
+        self.search = search_line(hint, "paletteSearch", self._show, title)
         self.search.installEventFilter(self)
         self.model = _Entries()
-        self.list = QTableView()
-        self.list.setObjectName("paletteList")
-        self.list.setAccessibleName(tr("What fits"))
+        self.list = named(QTableView(), "paletteList", title=tr("What fits"))
         self.list.setModel(self.model)
         list_rows(self.list, room=_PAD)
         self.list.setFrameShape(QFrame.Shape.NoFrame)
@@ -323,12 +321,8 @@ class CommandPalette(QFrame):
         columns.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         columns.setSectionResizeMode(_DETAIL, QHeaderView.ResizeMode.Stretch)
         self.list.clicked.connect(self._call)
-        self.hint = QLabel(tr(_HINT))
-        self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(_PAD, _PAD, _PAD, _PAD)
-        for part in (self.search, self.list, self.hint):
-            layout.addWidget(part)
+        self.hint = make_label(tr(_HINT), faint=True)
+        vbox(self.search, self.list, self.hint, of=self, margins=_PAD)
         window.installEventFilter(self)
         application = QApplication.instance()
         assert isinstance(application, QApplication)
@@ -430,18 +424,20 @@ class _Entries(RowsModel[Entry]):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         entry, column = self.rows[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            title = f"✓ {entry.title}" if entry.on else entry.title
-            return (tr(entry.kind), title, entry.detail, entry.keys)[column]
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return entry.detail
         if role == Qt.ItemDataRole.ForegroundRole and column in (_KIND, _DETAIL):
             return muted(QApplication.palette())
         if role == Qt.ItemDataRole.AccessibleTextRole:
             state = {None: "", True: tr("on"), False: tr("off")}[entry.on]
             parts = (tr(entry.kind), entry.title, state, entry.keys, entry.detail)
             return ", ".join(part for part in parts if part)
-        return None
+        return super().data(index, role)
+
+    def texts(self, row: Entry) -> tuple[str, ...]:
+        title = f"✓ {row.title}" if row.on else row.title
+        return tr(row.kind), title, row.detail, row.keys
+
+    def tip(self, row: Entry) -> str:
+        return row.detail
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         enabled = self.rows[index.row()].enabled

@@ -19,12 +19,13 @@ from PySide6.QtCore import (
     qInstallMessageHandler,
 )
 from PySide6.QtGui import QFontMetrics, QGuiApplication, QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtWidgets import QLabel, QMainWindow, QSizePolicy, QStatusBar, QWidget
 
 from procc_annotator import error_log
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.messages import Bar, ConflictBar, MessageBar
+from procc_annotator.gui.panels.widgets import hbox, make_label, named
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.messages import UNSAVED, Message
@@ -216,8 +217,7 @@ class StatusLine(QStatusBar):
     def __init__(self) -> None:
         super().__init__()
         self.setSizeGripEnabled(False)
-        self.hint = ElidedLabel()
-        self.hint.setObjectName("hint")
+        self.hint = named(ElidedLabel(), "hint")
         self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
         self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
         self.pixels.setToolTip(
@@ -231,7 +231,6 @@ class StatusLine(QStatusBar):
                 "on the ground, and in pixels of the evaluation size"
             )
         )
-        self.apart.hide()
         self.good_to = Readout("cursorUncertainty", tr(_GROUND, metres=1234.56) + " ")
         self.good_to.setToolTip(
             tr(
@@ -239,22 +238,17 @@ class StatusLine(QStatusBar):
                 "deviation in the worst direction, whatever the cursor itself is off by"
             )
         )
-        self.good_to.hide()
-        self.work = QLabel()
-        self.work.setObjectName("backgroundWork")
+        for readout in (self.apart, self.good_to):
+            readout.hide()
+        self.work = make_label(name="backgroundWork")
         line = QWidget()
-        layout = QHBoxLayout(line)
-        layout.setContentsMargins(2 * _PAD, _PAD, _PAD, _PAD)
-        layout.addWidget(self.hint, 1)
-        for part in (self.work, self.apart, self.good_to, self.pixels, self.metres):
-            layout.addWidget(part)
+        parts = (self.work, self.apart, self.good_to, self.pixels, self.metres)
+        line.setLayout(hbox((self.hint, 1), *parts, margins=(2 * _PAD, _PAD, _PAD, _PAD)))
         self.addWidget(IsolatedRow(line), 1)
         self._hint = self._message = ""
-        self._message_timer = QTimer(self)
-        self._message_timer.setSingleShot(True)
+        self._message_timer = QTimer(self, singleShot=True)
         self._message_timer.timeout.connect(self._show_hint)
-        self._just_told = QTimer(self)  # runs until the event loop turns
-        self._just_told.setSingleShot(True)
+        self._just_told = QTimer(self, singleShot=True)  # runs until the event loop turns
 
     def set_hint(self, text: str) -> None:
         """Set what the next click, Enter and Esc do; shown after the message."""

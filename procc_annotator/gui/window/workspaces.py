@@ -11,7 +11,6 @@ from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QDockWidget,
-    QHBoxLayout,
     QMainWindow,
     QSizePolicy,
     QTabBar,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.panels.widgets import hbox, named
 from procc_annotator.gui.state.visible_update import VisibleUpdate
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, word
@@ -356,18 +356,15 @@ class WorkspaceSwitch(QWidget):
     def __init__(self, window: QMainWindow, actions: Actions) -> None:
         super().__init__(window)
         self.setObjectName("deskSwitch")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 4, 0)
-        row.setSpacing(2)
+        row = hbox(spacing=2, margins=(0, 0, 4, 0))
         for workspace in WORKSPACES:
             action = actions[f"desk_{workspace}"]
             action.setIconText(tr(_TITLES[workspace], "desk"))
-            button = QToolButton()
-            button.setObjectName(f"desk_{workspace}")
+            button = named(QToolButton(autoRaise=True), f"desk_{workspace}")
             button.setDefaultAction(action)
-            button.setAutoRaise(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             row.addWidget(button)
+        self.setLayout(row)
         self._lower_buttons()
         if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
             bar = window.addToolBar(tr("Desks"))
