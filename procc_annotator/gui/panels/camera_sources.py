@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import islice, takewhile
-from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
@@ -30,17 +29,14 @@ from PySide6.QtWidgets import (
     QMenu,
     QRadioButton,
     QSizePolicy,
-    QStackedLayout,
+    QStackedWidget,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.dataset.computed_cameras import TRACK_NAME
-from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.gui.panels.widgets import make_label, named, note_label, show_note
+from procc_annotator.gui.panels.widgets import make_label, named, note_label, show_note, vbox
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, fixed_width
@@ -66,6 +62,8 @@ class SourceRow(QFrame):
         self.setObjectName(f"cameras_row_{index}")
         self._services, self._source = services, source
         self._active = False
+        self._counted_of: object = None  # what was counted, and how many were known as damaged
+        self._count = 0
         self._fixed = source.files is None  # the fit keeps its name and colour
         self._colour = ""
         commands = services.camera_sources
@@ -94,19 +92,19 @@ class SourceRow(QFrame):
         self.remove.clicked.connect(self._remove)
         self.problem = note_label(f"cameras_problem_{index}")
         self._arrange()
-        self.show_source(source)
+        self.refresh()
 
     def _arrange(self) -> None:
-        self._names = QStackedLayout()
+        self._names = QStackedWidget()
+        self._names.addWidget(self.radio)
+        self._names.addWidget(self.edit)
         layout = QGridLayout(self)
         layout.setContentsMargins(2, 3, 2, 3)
         layout.setHorizontalSpacing(4)
         layout.setVerticalSpacing(1)
         middle = Qt.AlignmentFlag.AlignCenter
         layout.addWidget(self.colour, 0, 0, middle)
-        layout.addLayout(self._names, 0, 1)
-        self._names.addWidget(self.radio)  # the first one is shown: only now, as a part of this
-        self._names.addWidget(self.edit)
+        layout.addWidget(self._names, 0, 1)
         layout.addWidget(self.jac, 0, 2, Qt.AlignmentFlag.AlignRight)
         layout.addWidget(self.remove, 0, 3)
         layout.addWidget(self.drawn, 1, 0, middle)
@@ -117,13 +115,15 @@ class SourceRow(QFrame):
 
     # --- showing -------------------------------------------------------------------------------
 
-    def show_source(self, source: CameraSource) -> None:
-        """Name, colour and whether it is drawn."""
+    def refresh(self) -> None:
+        """Show the source as it is now."""
+        source, active = self._source, self._services.state.active is self._source
         self.radio.set_full_text(source.name)
         lines = [tr("Judge against {name}", name=source.name), tr(source.camera_set.origin)]
         if not self._fixed:
             lines.append(tr("Double-click or F2 gives it another name"))
         self.radio.setToolTip("\n".join(lines))
+        self.radio.setChecked(active)
         self.remove.setAccessibleName(tr("Remove {name}", name=source.name))
         self.drawn.setChecked(source.visible)
         self.drawn.setAccessibleName(tr("Draw {name}", name=source.name))
@@ -133,24 +133,106 @@ class SourceRow(QFrame):
             words = tr("Colour of {name}", name=source.name)
             self.colour.setToolTip(words)
             self.colour.setAccessibleName(words)
-
-    def show_state(
-        self, *, active: bool, jac: str, jac_tip: str, model: str, matched: str, matched_tip: str,
-        problem: str,
-    ) -> None:  # fmt: skip
-        """Show the score, model and matches of the source."""
         if active != self._active:
             self._active = active
             self.update()
-        if active != self.radio.isChecked():
-            self.radio.setChecked(active)
-        for label, text in ((self.jac, jac), (self.matched, matched)):
-            if label.text() != text:
-                label.setText(text)
-        self.jac.setToolTip(jac_tip)
-        self.matched.setToolTip(matched_tip)
-        self.model.set_full_text(model)
+        for label, (text, tip) in ((self.jac, self._jac()), (self.matched, self._matched())):
+            label.setText(text)
+            label.setToolTip(tip)
+        self.model.set_full_text(self._model())
+        problem = self._problem()
         show_note(self.problem, f"⚠ {problem}" if problem else "")
+
+    def _jac(self) -> tuple[str, str]:
+        """Mean JaC of the set, and what it is the mean of."""
+        services, source = self._services, self._source
+        if services.state.blind:
+            return "JaC –", tr("Blind mode hides how the sources do")
+        mean = source.mean_jac(services.state.tau)
+        if mean is None:
+            return "JaC –", tr("No frame has both annotated elements and a camera of this source")
+        frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
+        if services.dataset_scores.running:
+            frames = tr("{frames} so far", frames=frames)
+        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=services.state.tau, frames=frames)
+        if bad := len(source.problems):
+            tip = tr_count(
+                bad,
+                "{mean}; {n:,} camera cannot be read and takes no part",
+                "{mean}; {n:,} cameras cannot be read and take no part",
+                mean=tip,
+            )
+        return f"JaC {mean:.3f}", f"{tip}\n{services.state.setup.describe()}"
+
+    def _model(self) -> str:
+        """The camera model: of the set when it has one, else of the frame on screen."""
+        source, words = self._source, self._model_words()
+        return f"{words}, {tr(source.fitted.mark)}" if words and source.fitted else words
+
+    def _model_words(self) -> str:
+        models = self._source.models
+        known = self._services.source_frames.of(self._source)
+        camera = known.camera if known is not None else None
+        if len(models) == 1:
+            words = models[0]
+        elif known is None or camera is None:
+            return tr("several models") if models else ""
+        else:
+            words = known.model
+        if camera is not None and projects_only_ground(camera):
+            words = tr("{model} (ground)", model=words)
+        return tr("{model} here, several models", model=words) if len(models) > 1 else words
+
+    def _matched(self) -> tuple[str, str]:
+        """Return how many frames have a camera, and which of these cannot be used."""
+        source = self._source
+        workspace, cameras = self._services.state.workspace, source.camera_set
+        if source is self._services.shot_track.source:
+            count = len(cameras.frames)
+            words = tr_count(count, "{n:,} frame followed", "{n:,} frames followed")
+            return words, tr(_FOLLOWED_TIP)
+        if source.files is None:
+            count = len(cameras.frames)
+            words = tr_count(count, "{n:,} frame fitted", "{n:,} frames fitted")
+            return words, tr(_FITTED_TIP)
+        if workspace is None or not workspace.frames:
+            return tr_count(len(cameras.frames), "{n:,} camera", "{n:,} cameras"), ""
+        of = workspace, cameras, len(source.problems)
+        if self._counted_of != of:  # counting a large set takes a while
+            self._counted_of = of
+            self._count = source.matched(frame.name for frame in workspace.frames)
+        matched, total = self._count, len(workspace.frames)
+        share = f"{100 * matched / total:.0f} %"
+        if not source.problems:
+            words = tr("{n} of {total} ({share})", n=matched, total=total, share=share)
+            return words, tr(_COMPLETENESS)
+        bad, names = len(source.problems), ", ".join(islice(source.problems, _NAMED))
+        if bad > _NAMED:
+            names = tr_count(
+                bad - _NAMED, "{names} and {n:,} more", "{names} and {n:,} more", names=names
+            )
+        unreadable = tr("Unreadable (filter camera:unreadable): {names}", names=names)
+        words = tr_count(
+            bad,
+            "{matched} of {total}, {n} unreadable",
+            "{matched} of {total}, {n} unreadable",
+            matched=matched,
+            total=total,
+        )
+        return words, f"{tr(_COMPLETENESS)}: {share}\n{unreadable}"
+
+    def _problem(self) -> str:
+        """Why a source that is not judged has nothing to show of this frame; the panel's notes say
+        it of the active one."""
+        services, source = self._services, self._source
+        known = services.source_frames.of(source)
+        if known is None or source is services.state.active:
+            return ""
+        if source.files is None:
+            return known.notice if services.state.projection_visible and not known.camera else ""
+        if known.error:
+            return tr("cannot be used here: {error}", error=known.error)
+        return tr("no camera for this frame") if known.camera is None else ""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._active:
@@ -317,7 +399,6 @@ def _what_remove_does(source: CameraSource) -> str:
 
 
 NO_CAMERA = -1
-_NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
 _COMPLETENESS = word("Frames of this dataset that have a camera (completeness)")
 _FITTED_TIP = word(
@@ -329,30 +410,22 @@ _FOLLOWED_TIP = word(
     "procc-annotator track follows a whole video and writes its cameras"
 )
 _NAMED = 12  # unreadable cameras in a tip
-_Counted = tuple[
-    Workspace, FrameCameras, int
-]  # what was counted, and how many were known as damaged
 
 
 class SourceList(QWidget):
-    """Displays the state's sources and does with them what hands want."""
+    """The rows of the state's sources, and one for no camera."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__()
         self._services = services
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
-        self._counted: WeakKeyDictionary[CameraSource, tuple[_Counted, int]] = WeakKeyDictionary()
-        self._group = QButtonGroup(self)
-        self.none = QRadioButton(tr("no camera"))
-        self.none.setObjectName("cameras_none")
-        self.none.setToolTip(tr("Judge nothing, draw no camera"))
+        tip = tr("Judge nothing, draw no camera")
+        self.none = named(QRadioButton(tr("no camera")), "cameras_none", tip=tip)
         self.none.clicked.connect(lambda: services.camera_sources.set_active_camera(NO_CAMERA))
-        self._group.addButton(self.none, _NO_CAMERA_ID)
-        self._layout = QVBoxLayout(self)
-        self._layout.setContentsMargins(0, 0, 0, 0)
-        self._layout.setSpacing(2)
-        self._layout.addWidget(self.none)
+        self._group = QButtonGroup(self)
+        self._group.addButton(self.none)
+        self._layout = vbox(self.none, of=self, spacing=2, margins=0)
 
     def refresh(self) -> None:
         """Show the sources as they are now."""
@@ -361,9 +434,8 @@ class SourceList(QWidget):
             self._build(sources)
         self.none.setVisible(bool(sources))
         self.none.setChecked(self._services.state.active is None)
-        for row, source in zip(self.rows, sources, strict=True):
-            row.show_source(source)
-            self._show_state(row, source)
+        for row in self.rows:
+            row.refresh()
 
     def _build(self, sources: tuple[CameraSource, ...]) -> None:
         """Rows in front that stay the same are kept: a name may be typed into one just now."""
@@ -377,113 +449,6 @@ class SourceList(QWidget):
         del self.rows[kept:]
         for index, source in enumerate(sources[kept:], start=kept):
             row = SourceRow(self._services, index, source)
-            self._group.addButton(row.radio, index)
+            self._group.addButton(row.radio)
             self._layout.insertWidget(index, row)
             self.rows.append(row)
-
-    # --- what a row says -----------------------------------------------------------------------
-
-    def _show_state(self, row: SourceRow, source: CameraSource) -> None:
-        services = self._services
-        jac, tip = self._jac(source)
-        matched, matched_tip = self._matched(source)
-        row.show_state(
-            active=source is services.state.active,
-            jac=jac,
-            jac_tip=tip,
-            model=self._model(source),
-            matched=matched,
-            matched_tip=matched_tip,
-            problem=self._problem(source),
-        )
-
-    def _jac(self, source: CameraSource) -> tuple[str, str]:
-        """Mean JaC of the set, and what it is the mean of."""
-        services = self._services
-        if services.state.blind:
-            return "JaC –", tr("Blind mode hides how the sources do")
-        mean = source.mean_jac(services.state.tau)
-        if mean is None:
-            return "JaC –", tr("No frame has both annotated elements and a camera of this source")
-        frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
-        if services.dataset_scores.running:
-            frames = tr("{frames} so far", frames=frames)
-        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=services.state.tau, frames=frames)
-        if bad := len(source.problems):
-            tip = tr_count(
-                bad,
-                "{mean}; {n:,} camera cannot be read and takes no part",
-                "{mean}; {n:,} cameras cannot be read and take no part",
-                mean=tip,
-            )
-        return f"JaC {mean:.3f}", f"{tip}\n{services.state.setup.describe()}"
-
-    def _model(self, source: CameraSource) -> str:
-        """The camera model: of the set when it has one, else of the frame on screen."""
-        words = self._model_words(source)
-        return f"{words}, {tr(source.fitted.mark)}" if words and source.fitted else words
-
-    def _model_words(self, source: CameraSource) -> str:
-        models = source.models
-        known = self._services.source_frames.of(source)
-        camera = known.camera if known is not None else None
-        if len(models) == 1:
-            words = models[0]
-        elif known is None or camera is None:
-            return tr("several models") if models else ""
-        else:
-            words = known.model
-        if camera is not None and projects_only_ground(camera):
-            words = tr("{model} (ground)", model=words)
-        return tr("{model} here, several models", model=words) if len(models) > 1 else words
-
-    def _matched(self, source: CameraSource) -> tuple[str, str]:
-        """Return how many frames have a camera, and which of these cannot be used."""
-        workspace, cameras = self._services.state.workspace, source.camera_set
-        if source is self._services.shot_track.source:
-            count = len(cameras.frames)
-            words = tr_count(count, "{n:,} frame followed", "{n:,} frames followed")
-            return words, tr(_FOLLOWED_TIP)
-        if source.files is None:
-            count = len(cameras.frames)
-            words = tr_count(count, "{n:,} frame fitted", "{n:,} frames fitted")
-            return words, tr(_FITTED_TIP)
-        if workspace is None or not workspace.frames:
-            return tr_count(len(cameras.frames), "{n:,} camera", "{n:,} cameras"), ""
-        of = workspace, cameras, len(source.problems)
-        before, matched = self._counted.get(source, (None, 0))
-        if before != of:  # counting a large set takes a while
-            matched = source.matched(frame.name for frame in workspace.frames)
-            self._counted[source] = of, matched
-        total = len(workspace.frames)
-        share = f"{100 * matched / total:.0f} %"
-        if not source.problems:
-            words = tr("{n} of {total} ({share})", n=matched, total=total, share=share)
-            return words, tr(_COMPLETENESS)
-        bad, names = len(source.problems), ", ".join(islice(source.problems, _NAMED))
-        if bad > _NAMED:
-            names = tr_count(
-                bad - _NAMED, "{names} and {n:,} more", "{names} and {n:,} more", names=names
-            )
-        unreadable = tr("Unreadable (filter camera:unreadable): {names}", names=names)
-        words = tr_count(
-            bad,
-            "{matched} of {total}, {n} unreadable",
-            "{matched} of {total}, {n} unreadable",
-            matched=matched,
-            total=total,
-        )
-        return words, f"{tr(_COMPLETENESS)}: {share}\n{unreadable}"
-
-    def _problem(self, source: CameraSource) -> str:
-        """Why a source that is not judged has nothing to show of this frame; the panel's notes say
-        it of the active one."""
-        services = self._services
-        known = services.source_frames.of(source)
-        if known is None or source is services.state.active:
-            return ""
-        if source.files is None:
-            return known.notice if services.state.projection_visible and not known.camera else ""
-        if known.error:
-            return tr("cannot be used here: {error}", error=known.error)
-        return tr("no camera for this frame") if known.camera is None else ""

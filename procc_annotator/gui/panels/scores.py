@@ -377,9 +377,7 @@ class ScoresPanel(QWidget):
 
     def _show_selection(self) -> None:
         row = self.table.show_chosen(self._services.state.selected_class)
-        why = self.model.rows[row].element.sentence if row >= 0 else tr(_CHOOSE)
-        if self.why.text() != why:
-            self.why.setText(why)
+        self.why.setText(self.model.rows[row].element.sentence if row >= 0 else tr(_CHOOSE))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.table.setColumnHidden(STATUS, event.size().width() < NARROW)

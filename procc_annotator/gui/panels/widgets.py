@@ -392,8 +392,7 @@ def note_label(name: str) -> QLabel:
 
 def show_note(note: QLabel, text: str) -> None:
     """Put text on a note; without text the note takes no room."""
-    if note.text() != text:
-        note.setText(text)
+    note.setText(text)
     note.setVisible(bool(text))
 
 
