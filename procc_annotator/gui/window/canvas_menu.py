@@ -10,7 +10,6 @@ from PySide6.QtGui import QAction, QHelpEvent
 from PySide6.QtWidgets import QMenu, QToolTip, QWidget
 
 from procc_annotator.annotation import points_px
-from procc_annotator.calibration.label_check.finding import Remedy
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
@@ -82,141 +81,120 @@ def canvas_menu(
     """The menu for what is selected, for the polyline that is being drawn, or for the frame
     (``on_ground``), with what can be done to a ``ghost`` (its class) that lies there; the canvas
     selects what is under the cursor first."""
-    menu = QMenu(parent)
-
-    def add(*names: str) -> None:
-        for each in names:
-            menu.addAction(actions[each])
-
+    menu = _CanvasMenu(parent, services, actions, element_edits)
     name, annotation = services.state.selected_class, services.state.annotation
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
     if drawing:
-        menu.addSection(tr("Drawing {title}", title=class_title(services.state.field, name or "")))
-        add(*_DRAWING)
+        menu.addSection(tr("Drawing {title}", title=menu.title_of(name or "")))
+        menu.add(*_DRAWING)
     elif on_ground or name is None or polyline is None or not polyline.points:
         if ghost_tasks is not None and ghost is not None:
-            _add_ghost(menu, services, ghost_tasks, ghost)
-        add(*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ()))
+            menu.add_ghost(ghost_tasks, ghost)
+        menu.add(*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ()))
         if ghost_tasks is not None:
-            _add_not_visible(menu, services, ghost_tasks)
+            menu.add_not_visible(ghost_tasks)
     else:
-        title = class_title(services.state.field, name)
+        title = menu.title_of(name)
         if waiting is not None:
             menu.addSection(tr("{title}, unconfirmed", title=title))
-            add("confirm", *_UNCONFIRMED)
+            menu.add("confirm", *_UNCONFIRMED)
         if (point := services.state.selection.point) is not None:
             count = len(services.state.selection.points)
             this = tr("Point {number} of {title}", number=point[1] + 1, title=title)
             menu.addSection(tr_count(count, "{n} point", "{n} points") if count > 1 else this)
-            add(*_POINT)
+            menu.add(*_POINT)
             if count < 2 and 0 < point[1] < len(polyline.points) - 1:
-                _add_split(menu, services, element_edits, name)
-        _add_remedies(menu, services, label_check, name)
+                menu.add_split(name)
+        if label_check is not None:
+            menu.add_remedies(label_check, name)
         menu.addSection(title)
-        add_class_menus(menu, services, element_edits)
-        add(*_WHOLE)
+        menu.add_classes(name)
+        menu.add(*_WHOLE)
     return menu
 
 
-def _add_split(menu: QMenu, services: Services, element_edits: ElementEdits, name: str) -> None:
-    free = [
-        e
-        for e in touching_elements(services.state.field, name)
-        if services.state.annotation.get(e) is None
-    ]
-    menu.addMenu(
-        class_menu(
-            menu,
-            services.state.field,
-            tr("Split here: the rest becomes"),
-            first=free,
-            disabled=services.state.annotation.annotated,
-            keymap=services.state.keymap,
-            chosen=element_edits.split,
-        )
-    )
+class _CanvasMenu(QMenu):
+    """A menu, and the parts it may have."""
 
+    def __init__(
+        self, parent: QWidget, services: Services, actions: Actions, element_edits: ElementEdits
+    ) -> None:
+        super().__init__(parent)
+        self._services, self._actions, self._edits = services, actions, element_edits
+        self._state = services.state
 
-def _add_remedies(
-    menu: QMenu, services: Services, label_check: LabelCheckCommands | None, name: str
-) -> None:
-    """Add remedies for the findings of an element, the surest first."""
-    concerned = [f for f in services.label_check.shown if name in f.finding.elements]
-    if label_check is None:
-        return
-    for found in concerned:
-        reason = tr(found.finding.reason)
-        short = reason if len(reason) <= _LONGEST_REASON else f"{reason[: _LONGEST_REASON - 1]}…"
-        heading = menu.addSection(short)
-        heading.setToolTip(reason)
-        for remedy in found.finding.remedies:
-            text = tr(remedy.text)
-            action = menu.addAction(text[:1].upper() + text[1:])
-            action.setToolTip(reason)
-            action.triggered.connect(partial(_apply, label_check, found, remedy))
-        action = menu.addAction(tr("Ignore this finding"))
-        action.triggered.connect(partial(_ignore, label_check, services, found))
+    def title_of(self, name: str) -> str:
+        return class_title(self._state.field, name)
 
-
-def _apply(label_check: LabelCheckCommands, found: StoredFinding, remedy: Remedy) -> None:
-    label_check.apply(found, remedy)
-
-
-def _ignore(label_check: LabelCheckCommands, services: Services, found: StoredFinding) -> None:
-    if services.state.frame is not None:
-        label_check.ignore(services.state.frame.name, found)
-
-
-def _add_ghost(menu: QMenu, services: Services, tasks: GhostCommands, name: str) -> None:
-    menu.addSection(tr("Ghost of {title}", title=class_title(services.state.field, name)))
-    menu.addAction(tr("Accept"), lambda: tasks.accept_named(name))
-    menu.addAction(tr("Look closely"), lambda: tasks.look_at(name))
-    menu.addAction(tr("Not visible here"), lambda: tasks.set_not_visible(name, True))
-    menu.addSection(tr("Frame"))
-
-
-def _add_not_visible(menu: QMenu, services: Services, tasks: GhostCommands) -> None:
-    """The elements said to be not visible: choosing one takes that back."""
-    names = tasks.not_visible()
-    if names:
-        hidden = menu.addMenu(tr("Not visible here: take back"))
+    def add(self, *names: str) -> None:
         for name in names:
-            take_back = partial(tasks.set_not_visible, name, False)
-            hidden.addAction(class_title(services.state.field, name)).triggered.connect(take_back)
+            self.addAction(self._actions[name])
 
-
-def add_class_menus(menu: QMenu, services: Services, element_edits: ElementEdits) -> None:
-    """Submenus that give the selected element another class, or join it to another element."""
-    field, name = services.state.field, services.state.selected_class or ""
-    likely = list(element_edits.symmetric_classes())
-    met = touching_elements(field, name)  # worked out once: it takes time on large fields
-    likely += [c for c in met if c not in likely]
-    menu.addMenu(
-        class_menu(
-            menu,
-            field,
-            tr("Change class to (swaps with an annotated one)"),
-            first=likely[:4],
-            disabled=(name,),
-            keymap=services.state.keymap,
-            chosen=element_edits.change_class,
-        )
-    )
-    others = [c for c in services.state.annotation.annotated if c != name]
-    if others:
-        every = [e.name for e in field.elements] + list(field.classes_without_geometry)
-        menu.addMenu(
+    def _add_choice(
+        self,
+        title: str,
+        chosen: Callable[[str], None],
+        first: Sequence[str],
+        disabled: Collection[str],
+    ) -> None:
+        field, keymap = self._state.field, self._state.keymap
+        self.addMenu(
             class_menu(
-                menu,
-                field,
-                tr("Merge into"),
-                first=[c for c in others if c in met],
-                disabled=[c for c in every if c not in others],
-                keymap=services.state.keymap,
-                chosen=element_edits.merge_into,
+                self, field, title, first=first, disabled=disabled, keymap=keymap, chosen=chosen
             )
         )
+
+    def add_split(self, name: str) -> None:
+        touching = touching_elements(self._state.field, name)
+        free = [e for e in touching if self._state.annotation.get(e) is None]
+        title, annotated = tr("Split here: the rest becomes"), self._state.annotation.annotated
+        self._add_choice(title, self._edits.split, free, annotated)
+
+    def add_remedies(self, label_check: LabelCheckCommands, name: str) -> None:
+        """Add remedies for the findings of an element, the surest first."""
+        for found in self._services.label_check.shown:
+            if name not in found.finding.elements:
+                continue
+            reason = tr(found.finding.reason)
+            short = reason
+            if len(reason) > _LONGEST_REASON:
+                short = f"{reason[: _LONGEST_REASON - 1]}…"
+            self.addSection(short).setToolTip(reason)
+            for remedy in found.finding.remedies:
+                text = tr(remedy.text)
+                text, do = text[:1].upper() + text[1:], partial(label_check.apply, found, remedy)
+                self.addAction(text, do).setToolTip(reason)
+            if (frame := self._state.frame) is not None:
+                ignore = partial(label_check.ignore, frame.name, found)
+                self.addAction(tr("Ignore this finding"), ignore)
+
+    def add_ghost(self, tasks: GhostCommands, name: str) -> None:
+        self.addSection(tr("Ghost of {title}", title=self.title_of(name)))
+        self.addAction(tr("Accept"), partial(tasks.accept_named, name))
+        self.addAction(tr("Look closely"), partial(tasks.look_at, name))
+        self.addAction(tr("Not visible here"), partial(tasks.set_not_visible, name, True))
+        self.addSection(tr("Frame"))
+
+    def add_not_visible(self, tasks: GhostCommands) -> None:
+        """Add the elements said to be not visible: choosing one takes that back."""
+        if names := tasks.not_visible():
+            hidden = self.addMenu(tr("Not visible here: take back"))
+            for name in names:
+                hidden.addAction(self.title_of(name), partial(tasks.set_not_visible, name, False))
+
+    def add_classes(self, name: str) -> None:
+        """Add menus that give an element another class, or join it to another element."""
+        field, edits = self._state.field, self._edits
+        met = touching_elements(field, name)  # once: it takes time on large fields
+        likely = list(dict.fromkeys([*edits.symmetric_classes(), *met]))[:4]
+        words = tr("Change class to (swaps with an annotated one)")
+        self._add_choice(words, edits.change_class, likely, (name,))
+        if others := [c for c in self._state.annotation.annotated if c != name]:
+            every = [e.name for e in field.elements] + list(field.classes_without_geometry)
+            first = [c for c in others if c in met]
+            disabled = [c for c in every if c not in others]
+            self._add_choice(tr("Merge into"), edits.merge_into, first, disabled)
 
 
 _WITHOUT_GEOMETRY = word("Without geometry")
@@ -280,7 +258,7 @@ def _add(
     action.setData(name)
     action.setIconVisibleInMenu(True)
     action.setEnabled(name not in disabled)
-    action.triggered.connect(lambda: chosen(name))
+    action.triggered.connect(partial(chosen, name))
     return action
 
 
