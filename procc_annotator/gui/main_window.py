@@ -60,12 +60,12 @@ from procc_annotator.gui.window.keyboard_focus import (
     FocusRing,
 )
 from procc_annotator.gui.window.menus import Actions, ActionStates
-from procc_annotator.gui.window.status import ErrorReports, MessageRouter, StatusLine, StatusReport
+from procc_annotator.gui.window.status import ErrorReports, MessageRouter, StatusLine
 from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 from procc_annotator.gui.window.window_settings import BoundSettings, WindowState, apply_appearance
-from procc_annotator.gui.window.workspaces import PlotsHandle, Workspaces, WorkspaceSwitch
+from procc_annotator.gui.window.workspaces import TITLES, PlotsHandle, Workspaces, WorkspaceSwitch
 from procc_annotator.translation import tr
 
 
@@ -130,7 +130,7 @@ class MainWindow(QMainWindow):
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
-        self.status = StatusLine()
+        self.status = StatusLine(self.services, self.canvas)
         self.setStatusBar(self.status)
 
     def _make_helpers(self) -> None:
@@ -140,7 +140,6 @@ class MainWindow(QMainWindow):
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.services)
         self.digit_row = DigitRow(self)
-        self._report = StatusReport(self.services, self.canvas, self.status, self)
         MessageRouter(
             self.services,
             (self.message_bar, self.frame_bar, self.conflict_bar),
@@ -227,19 +226,7 @@ class MainWindow(QMainWindow):
         self.agreement = AgreementPanel(services)
         self.panels = Workspaces(
             self,
-            {
-                "frames": self.frames,
-                "field_map": self.field_map,
-                "elements": self.elements,
-                "cameras": self.cameras,
-                "scores": self.scores,
-                "fit": self.fit,
-                "findings": self.findings,
-                "landmarks": self.landmarks,
-                "plots": self.plots,
-                "review": self.review,
-                "agreement": self.agreement,
-            },
+            {name: getattr(self, name) for name in TITLES},
             self.canvas,
             {
                 "frames": self.frames.focus_filter,
@@ -271,8 +258,8 @@ class MainWindow(QMainWindow):
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
         self.side_bar.lookChanged.connect(self.canvas.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
-        self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
-        self.worst_first.progressed.connect(self._report.show_comparing)
+        self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
+        self.worst_first.progressed.connect(self.status.show_comparing)
         self.triage.serve(self.scores.verdict)
         self.label_check.serve(self.findings)
         # Its reason should be in sight.

@@ -212,10 +212,11 @@ class SteadyLabel(QLabel):
 
 
 class StatusLine(QStatusBar):
-    """Hint, what goes on, cursor in picture pixels and field metres."""
+    """Hint, work under way, cursor in picture pixels and field metres."""
 
-    def __init__(self) -> None:
+    def __init__(self, services: Services, canvas: Canvas) -> None:
         super().__init__()
+        self._services, self._canvas = services, canvas
         self.setSizeGripEnabled(False)
         self.hint = named(ElidedLabel(), "hint")
         self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
@@ -249,6 +250,22 @@ class StatusLine(QStatusBar):
         self._message_timer = QTimer(self, singleShot=True)
         self._message_timer.timeout.connect(self._show_hint)
         self._just_told = QTimer(self, singleShot=True)  # runs until the event loop turns
+        self._follow(services, canvas)
+
+    def _follow(self, services: Services, canvas: Canvas) -> None:
+        canvas.cursorMoved.connect(self.show_cursor)
+        canvas.hintChanged.connect(self.set_hint)
+        watch = services.store.watch
+        watch(lambda s: s.field, self._show_titles)
+        watch(
+            lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
+            self._refresh_cursor,
+        )
+        for computed in (services.disagreement, services.uncertainty):
+            computed.changed.connect(self._refresh_cursor)
+        services.dataset_scores.progressed.connect(self.show_scoring)
+        self.set_hint(canvas.hint)
+        self._show_titles()
 
     def set_hint(self, text: str) -> None:
         """Set what the next click, Enter and Esc do; shown after the message."""
@@ -275,25 +292,6 @@ class StatusLine(QStatusBar):
             self._message_timer.stop()
             self._show_hint()
 
-    def set_cursor(
-        self, px: tuple[float, float] | None, metres: tuple[float, float] | None
-    ) -> None:
-        """Show the cursor's position; None outside the picture."""
-        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
-        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
-
-    def set_disagreement(self, shown: bool, apart: tuple[float, float] | None) -> None:
-        """Metres and px between two cameras at the cursor; takes no room unless it is shown."""
-        if self.apart.isHidden() == shown:
-            self.apart.setVisible(shown)
-        self.apart.setText("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
-
-    def set_uncertainty(self, shown: bool, metres: float | None) -> None:
-        """Standard deviation on the ground at the cursor; takes no room unless it is shown."""
-        if self.good_to.isHidden() == shown:
-            self.good_to.setVisible(shown)
-        self.good_to.setText("" if metres is None else tr(_GROUND, metres=metres))
-
     def set_work(self, text: str, tip: str = "") -> None:
         """Show the background work; empty for none."""
         self.work.setText(text)
@@ -305,63 +303,42 @@ class StatusLine(QStatusBar):
     def _show_hint(self) -> None:
         self.hint.show_line("", self._hint)
 
-
-class StatusReport(QObject):
-    """Hint, cursor position, work under way."""
-
-    def __init__(
-        self, services: Services, canvas: Canvas, status: StatusLine, parent: QObject
-    ) -> None:
-        super().__init__(parent)
-        self._services = services
-        self._canvas = canvas
-        self._status = status
-        canvas.cursorMoved.connect(self.show_cursor)
-        canvas.hintChanged.connect(status.set_hint)
-        store = services.store
-        store.watch(lambda s: s.field, self._show_titles)
-        store.watch(
-            lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
-            self._look_again,
-        )
-        services.disagreement.changed.connect(self._look_again)
-        services.uncertainty.changed.connect(self._look_again)
-        services.dataset_scores.progressed.connect(self.show_scoring)
-        status.set_hint(canvas.hint)
-        self._show_titles()
-
     def _show_titles(self) -> None:
         """Pass on the titles of elements, which hints and messages contain."""
-        self._status.hint.set_titles(tr(e.title) for e in self._services.state.field.elements)
+        self.hint.set_titles(tr(e.title) for e in self._services.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """Show the progress of scoring the set; nothing when it is complete."""
         text = tr("scoring {done:,} / {total:,}", done=done, total=total) if done < total else ""
-        self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
+        self.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_comparing(self, done: int, total: int) -> None:
         """Show the progress of comparing two sources; nothing when it is over."""
         text = tr("comparing {done:,} / {total:,}", done=done, total=total) if total else ""
-        self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
+        self.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_ghosts(self, done: int, total: int) -> None:
         """Show the progress of checking all ghosts; nothing when it is over."""
         text = tr("ghosts {done:,} / {total:,}", done=done, total=total) if total else ""
-        self._status.set_work(text, tr("Esc ends it"))
+        self.set_work(text, tr("Esc ends it"))
 
-    def _look_again(self, *_: object) -> None:
+    def _refresh_cursor(self) -> None:
         self.show_cursor(self._canvas.cursor_px)
 
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)
-        self._status.set_cursor(px, None if at is None else self._metres(at))
-        found = self._services.disagreement.value
+        metres = None if at is None else self._metres(at)
+        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
+        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+        disagreement, uncertainty = self._services.disagreement, self._services.uncertainty
+        found, known = disagreement.value, uncertainty.value
         apart = found.at(*at) if found is not None and at is not None else None
-        self._status.set_disagreement(self._services.disagreement.enabled, apart)
-        known = self._services.uncertainty.value
+        self.apart.setVisible(disagreement.enabled)
+        self.apart.setText("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
         sd = known.at(*px) if known is not None and px is not None else None
-        self._status.set_uncertainty(self._services.uncertainty.enabled, sd)
+        self.good_to.setVisible(uncertainty.enabled)
+        self.good_to.setText("" if sd is None else tr(_GROUND, metres=sd))
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""
