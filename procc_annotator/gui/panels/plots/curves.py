@@ -52,8 +52,6 @@ class TauPage(PlotPage[JacCurves]):
         self.line.setZValue(10)
         self.line.sigDragged.connect(lambda line: self.tauChosen.emit(float(line.value())))
         self.item.addItem(self.line)
-        self.view.scene().sigMouseMoved.connect(self._hover)
-        self._shown: tuple[JacCurves, PlotRequest] | None = None
         self.restyle()
 
     @staticmethod
@@ -68,7 +66,7 @@ class TauPage(PlotPage[JacCurves]):
         return JacCurves(curves, tuple(map(len, chosen)), bands, problem)
 
     def draw(self, data: JacCurves, request: PlotRequest) -> str:
-        self._shown = data, request
+        self.shown = data, request
         items = self.items[0]
         items.start()
         for source, own in zip(request.sources, data.bands, strict=False):
@@ -111,19 +109,17 @@ class TauPage(PlotPage[JacCurves]):
             columns += [own.band.low, own.band.high]
         return PlotData(tuple(header), tuple(columns))
 
-    def _hover(self, at: QPointF) -> None:
-        if self._shown is None or not self.item.sceneBoundingRect().contains(at):
-            self.readout.emit("")
-            return
-        data, request = self._shown
-        tau = float(self.item.vb.mapSceneToView(at).x())
-        column = int(np.argmin(np.abs(TAU_GRID - tau)))
+    def read(self, x: float) -> str:
+        if self.shown is None:
+            return ""
+        data, request = self.shown
+        column = int(np.argmin(np.abs(TAU_GRID - x)))
         values = [
             f"{source.name} {curve[column]:.3f}"
             for source, curve, n in zip(request.sources, data.curves, data.frames, strict=True)
             if n
         ]
-        self.readout.emit(" · ".join([tr("tau {px:.1f} px", px=TAU_GRID[column]), *values]))
+        return " · ".join([tr("tau {px:.1f} px", px=TAU_GRID[column]), *values])
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,7 +149,6 @@ class TimelinePage(PlotPage[Timelines]):
         self._lines: list[tuple[PlottedSource, FloatArray, Any, Any]] = []
         self._frames: tuple[str, ...] = ()
         self.item.vb.sigXRangeChanged.connect(self._thin_out)
-        self.view.scene().sigMouseMoved.connect(self._hover)
         self.view.scene().sigMouseClicked.connect(self._click)
         self.restyle()
 
@@ -205,8 +200,10 @@ class TimelinePage(PlotPage[Timelines]):
         """The frame a position of the scene belongs to, -1 next to the plot."""
         if not self.item.vb.sceneBoundingRect().contains(scene) or not self._frames:
             return -1
-        number = round(float(self.item.vb.mapSceneToView(scene).x()))
-        return min(max(number, 1), len(self._frames)) - 1
+        return self._frame_near(float(self.item.vb.mapSceneToView(scene).x()))
+
+    def _frame_near(self, x: float) -> int:
+        return min(max(round(x), 1), len(self._frames)) - 1
 
     def _thin_out(self) -> None:
         """Give each line no more points than the screen can show."""
@@ -250,18 +247,17 @@ class TimelinePage(PlotPage[Timelines]):
         at = np.empty(0, dtype=int) if symbols else _sparse(values, source.number, span)
         marks.setData(x=at + 1.0, y=values[at])
 
-    def _hover(self, at: QPointF) -> None:
-        index = self.frame_at(at)
-        if index < 0:
-            self.readout.emit("")
-            return
+    def read(self, x: float) -> str:
+        if not self._frames:
+            return ""
+        index = self._frame_near(x)
         values = [
             f"{source.name} {values[index]:.3f}" if np.isfinite(values[index]) else
             f"{source.name} –"
             for source, values, *_ in self._lines
         ]  # fmt: skip
         frame = tr("{name} (frame {n})", name=self._frames[index], n=index + 1)
-        self.readout.emit(" · ".join([frame, *values]))
+        return " · ".join([frame, *values])
 
     def _click(self, event: Any) -> None:
         if event.button() == Qt.MouseButton.LeftButton:

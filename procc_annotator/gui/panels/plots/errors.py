@@ -7,7 +7,6 @@ from itertools import count
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QComboBox, QLabel
 
 from procc_annotator.batch.audit import (
@@ -45,8 +44,6 @@ class HistogramPage(PlotPage[ErrorBars]):
     def __init__(self) -> None:
         super().__init__("plot_histogram")
         self.item = self.add_plot(0, tr("reprojection error (px)"), tr("points"), movable=False)
-        self._shown: tuple[ErrorBars, PlotRequest] | None = None
-        self.view.scene().sigMouseMoved.connect(self._hover)
 
     @staticmethod
     def compute(request: PlotRequest) -> ErrorBars:
@@ -54,7 +51,7 @@ class HistogramPage(PlotPage[ErrorBars]):
         return ErrorBars(histogram([p.errors_px for p in points]), points)
 
     def draw(self, data: ErrorBars, request: PlotRequest) -> str:
-        self._shown = data, request
+        self.shown = data, request
         items = self.items[0]
         items.start()
         edges = data.bars.edges
@@ -88,17 +85,14 @@ class HistogramPage(PlotPage[ErrorBars]):
         names = (f"points {source.name}" for source in request.sources)  # not shown
         return PlotData(("from_px", "below_px", *names), (edges[:-1], upper, *data.bars.counts))
 
-    def _hover(self, at: QPointF) -> None:
-        if self._shown is None or not self.item.vb.sceneBoundingRect().contains(at):
-            self.readout.emit("")
-            return
-        data, request = self._shown
+    def read(self, x: float) -> str:
+        if self.shown is None:
+            return ""
+        data, request = self.shown
         edges = data.bars.edges
-        place = float(self.item.vb.mapSceneToView(at).x())
-        bar = int(np.searchsorted(edges, place, side="right")) - 1
+        bar = int(np.searchsorted(edges, x, side="right")) - 1
         if not 0 <= bar < len(edges) - 1:
-            self.readout.emit("")
-            return
+            return ""
         last = data.bars.open_ended and bar == len(edges) - 2
         interval = f"{edges[bar]:g}-{edges[bar + 1]:g} px"
         if last:
@@ -112,7 +106,7 @@ class HistogramPage(PlotPage[ErrorBars]):
             )
             for source, counts in zip(request.sources, data.bars.counts, strict=True)
         ]
-        self.readout.emit(" · ".join([interval, *counts]))
+        return " · ".join([interval, *counts])
 
 
 def _count_ticks(highest: int, most: int = 4) -> list[tuple[float, str]]:

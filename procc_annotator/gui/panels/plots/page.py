@@ -204,6 +204,8 @@ class PlotPage(QWidget, Generic[D]):
     by_class = False
     follows_tau = False
 
+    shown: tuple[D, PlotRequest] | None = None  # what is drawn, and what it is of
+
     tauChosen = Signal(float)
     frameChosen = Signal(int)
     readout = Signal(str)  # what is under the cursor; empty when nothing is
@@ -240,6 +242,10 @@ class PlotPage(QWidget, Generic[D]):
         """Show data; what there is to say about it, or an empty text."""
         raise NotImplementedError
 
+    def read(self, x: float) -> str:
+        """Return what there is at a place of the horizontal axis; empty for nothing."""
+        return ""
+
     def mark(self, request: PlotRequest) -> None:
         """Show another frame or tau in what is drawn."""
 
@@ -275,10 +281,17 @@ class PlotPage(QWidget, Generic[D]):
             item.getAxis(side).setStyle(
                 tickFont=self.font(), tickLength=-4, hideOverlappingLabels=False
             )
+        if not self.plots:
+            self.view.scene().sigMouseMoved.connect(self._hover)
         self.plots.append(item)
         self.items.append(Items(item))
         self._dress_axes(item)
         return item
+
+    def _hover(self, at: QPointF) -> None:
+        box = self.plots[0].vb
+        inside = box.sceneBoundingRect().contains(at)
+        self.readout.emit(self.read(float(box.mapSceneToView(at).x())) if inside else "")
 
     def dots(
         self,
