@@ -12,6 +12,7 @@ from PySide6.QtGui import (
     QKeySequence,
     QPainter,
     QPaintEvent,
+    QRegion,
     QShortcut,
 )
 from PySide6.QtWidgets import (
@@ -32,7 +33,6 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.canvas_keys import beside_picture, typed_into
 from procc_annotator.gui.keymap import element_keys, keys_by_place
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
-from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 
 _WIDTH = 2
@@ -41,14 +41,13 @@ _WITHOUT = (Qt.WindowType.Popup, Qt.WindowType.ToolTip)
 
 
 class FocusRing(QObject):
-    """Four strips that lie around the widget; none of them takes the mouse, and the picture below
-    is not painted anew for them."""
+    """Shows a ring around the widget that has the keyboard, unless a click gave it."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window = window
         self.widget: QWidget | None = None
-        self._edges: list[_Edge] = []
+        self._ring: _Ring | None = None
         application = QApplication.instance()
         assert isinstance(application, QApplication)
         application.focusChanged.connect(self._follow)
@@ -56,7 +55,7 @@ class FocusRing(QObject):
     @property
     def shown(self) -> bool:
         """Return whether the ring is in sight."""
-        return bool(self._edges) and not self._edges[0].isHidden()
+        return self._ring is not None and not self._ring.isHidden()
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
         if self.widget is not None and isValid(self.widget):
@@ -66,7 +65,7 @@ class FocusRing(QObject):
         if new is not None and self._wanted(new):
             self.widget = new
             new.installEventFilter(self)
-            self._edges = [_Edge(new.window()) for _ in range(4)]
+            self._ring = _Ring(new.window())
             self._stand()
 
     def _wanted(self, widget: QWidget) -> bool:
@@ -88,31 +87,26 @@ class FocusRing(QObject):
         return False
 
     def _remove(self) -> None:
-        for edge in filter(isValid, self._edges):  # a dialog takes its own along
-            edge.hide()
-            edge.deleteLater()
-        self._edges = []
+        if self._ring is not None and isValid(self._ring):  # a dialog takes its own along
+            self._ring.hide()
+            self._ring.deleteLater()
+        self._ring = None
 
     def _stand(self) -> None:
-        widget = self.widget
-        if widget is None or not self._edges:
+        widget, ring = self.widget, self._ring
+        if widget is None or ring is None:
             return
-        at = widget.mapTo(widget.window(), QPoint(0, 0))
-        box = QRect(at, widget.size()).intersected(widget.window().rect())
-        boxes = (
-            QRect(box.left(), box.top(), box.width(), _WIDTH),
-            QRect(box.left(), box.bottom() + 1 - _WIDTH, box.width(), _WIDTH),
-            QRect(box.left(), box.top(), _WIDTH, box.height()),
-            QRect(box.right() + 1 - _WIDTH, box.top(), _WIDTH, box.height()),
-        )
-        for edge, place in zip(self._edges, boxes, strict=True):
-            edge.setGeometry(place)
-            edge.setVisible(widget.isVisible())
-            edge.raise_()
+        window = widget.window()
+        at = widget.mapTo(window, QPoint(0, 0))
+        ring.setGeometry(QRect(at, widget.size()).intersected(window.rect()))
+        inner = ring.rect().adjusted(_WIDTH, _WIDTH, -_WIDTH, -_WIDTH)
+        ring.setMask(QRegion(ring.rect()).subtracted(QRegion(inner)))
+        ring.setVisible(widget.isVisible())
+        ring.raise_()
 
 
-class _Edge(QWidget):
-    """A plain strip of a colour that is seen on both themes."""
+class _Ring(QWidget):
+    """A frame of a colour that is seen on both themes; below its mask nothing is painted anew."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
@@ -332,11 +326,7 @@ class ElementShortcuts(QObject):
         super().__init__(window)
         self._window, self._services = window, services
         self._shortcuts: list[QShortcut] = []
-        services.store.watch(select.field, self._make)
-        services.store.watch(lambda state: state.keymap, self._take)
-        self._make()
-
-    def _take(self) -> None:
+        services.store.watch(lambda s: (s.field, s.keymap), self._make)
         self._make()
 
     def _make(self) -> None:
