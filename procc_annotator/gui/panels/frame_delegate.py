@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.calibration.label_check.finding import Severity
-from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Status
+from procc_annotator.dataset.records import FAULT_WORDS, Status
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.gui.panels.frame_rows import FolderInfo, FramesModel, RowInfo
 from procc_annotator.gui.panels.widgets import Index
-from procc_annotator.gui.theme import alarm_colours, blend
+from procc_annotator.gui.theme import alarm_colours, blend, bold, paint_row
 from procc_annotator.translation import tr, tr_count
 
 _STEP, _MOST = 10, 3  # px a folder; deeper ones are not moved farther in
@@ -32,22 +34,25 @@ def paint_folder(
     box = box.adjusted(_SIGN + 4, 0, 0, 0)
     if info.jac is not None:
         box = box.adjusted(0, 0, -paint_jac(painter, box, info.jac, font, text, quiet), 0)
-    bold = QFont(font)
-    bold.setBold(True)
-    painter.setFont(bold)
-    painter.setPen(text)
-    upper = QRect(box.left(), box.top(), box.width(), box.height() // 2)
-    align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-    elide = Qt.TextElideMode.ElideMiddle
-    painter.drawText(
-        upper, align, painter.fontMetrics().elidedText(info.label, elide, upper.width())
-    )
+    upper, lower = _halves(box)
+    painter.setFont(bold(font))
+    _paint_text(painter, upper, info.label, text)
     painter.setFont(font)
-    painter.setPen(quiet)
-    lower = QRect(box.left(), upper.bottom() + 1, box.width(), box.height() - upper.height())
-    metrics = painter.fontMetrics()
-    fitting = (w for w in folder_words(info) if metrics.horizontalAdvance(w) <= lower.width())
-    painter.drawText(lower, align, next(fitting, ""))
+    fits = painter.fontMetrics().horizontalAdvance
+    words = next((w for w in folder_words(info) if fits(w) <= lower.width()), "")
+    _paint_text(painter, lower, words, quiet)
+
+
+def _halves(box: QRect) -> tuple[QRect, QRect]:
+    """Return the upper and the lower line of a row."""
+    upper = QRect(box.left(), box.top(), box.width(), box.height() // 2)
+    return upper, box.adjusted(0, upper.height(), 0, 0)
+
+
+def _paint_text(painter: QPainter, box: QRect, text: str, colour: QColor) -> None:
+    painter.setPen(colour)
+    shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideMiddle, box.width())
+    painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
 
 
 def folder_words(info: FolderInfo) -> list[str]:
@@ -115,41 +120,23 @@ class FrameDelegate(QStyledItemDelegate):
         info = model.info(index.row()) if folder is None else None
         if info is None and folder is None:
             return
-        palette: QPalette = option.palette
         rect: QRect = option.rect
-        state = option.state
-        selected = bool(state & QStyle.StateFlag.State_Selected)
-        base = palette.color(QPalette.ColorRole.Base)
-        text = palette.color(QPalette.ColorRole.Text)
+        selected = bool(option.state & QStyle.StateFlag.State_Selected)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        if selected:
-            base = palette.color(QPalette.ColorRole.Highlight)
-            text = palette.color(QPalette.ColorRole.HighlightedText)
-            painter.fillRect(rect, base)
-        elif state & QStyle.StateFlag.State_MouseOver:
-            base = blend(base, text, 0.07)
-            painter.fillRect(rect, base)
+        base, text = paint_row(painter, option)
         quiet = blend(text, base, 0.3)
         if folder is not None:
-            paint_folder(
-                painter,
-                rect.adjusted(_PAD, _PAD, -_PAD - 2, -_PAD),
-                folder,
-                option.font,
-                text,
-                quiet,
-            )
-            painter.restore()
-            return
-        assert info is not None  # see above
-        rect = rect.adjusted(indent(info.depth), 0, 0, 0)
-        thumb = QRect(rect.left() + _PAD, 0, _THUMB.width(), _THUMB.height())
-        thumb.moveTop(rect.center().y() - _THUMB.height() // 2)
-        paint_thumbnail(painter, thumb, info.thumbnail, blend(base, text, 0.12))
-        words = rect.adjusted(_THUMB.width() + 2 * _PAD + 2, _PAD, -_PAD - 2, -_PAD)
-        font: QFont = option.font
-        _paint_words(painter, words, info, font, text, quiet, palette, selected)
+            box = rect.adjusted(_PAD, _PAD, -_PAD - 2, -_PAD)
+            paint_folder(painter, box, folder, option.font, text, quiet)
+        if info is not None:
+            rect = rect.adjusted(indent(info.depth), 0, 0, 0)
+            thumb = QRect(rect.left() + _PAD, 0, _THUMB.width(), _THUMB.height())
+            thumb.moveTop(rect.center().y() - _THUMB.height() // 2)
+            paint_thumbnail(painter, thumb, info.thumbnail, blend(base, text, 0.12))
+            words = rect.adjusted(_THUMB.width() + 2 * _PAD + 2, _PAD, -_PAD - 2, -_PAD)
+            front = text if selected else quiet
+            _paint_words(painter, words, info, option, (text, quiet, front))
         painter.restore()
 
 
@@ -174,66 +161,64 @@ def _paint_words(
     painter: QPainter,
     box: QRect,
     info: RowInfo,
-    font: QFont,
-    text: QColor,
-    quiet: QColor,
-    palette: QPalette,
-    selected: bool,
+    option: QStyleOptionViewItem,
+    colours: tuple[QColor, QColor, QColor],
 ) -> None:
-    right = paint_jac(painter, box, info.jac, font, text, quiet) if info.jac is not None else 0
-    box = box.adjusted(0, 0, -right, 0)
-    painter.setFont(font)
-    metrics = painter.fontMetrics()
-    upper = QRect(box.left(), box.top(), box.width(), box.height() // 2)
-    lower = QRect(box.left(), upper.bottom() + 1, box.width(), box.height() - upper.height())
-    painter.setPen(text)
-    elide = Qt.TextElideMode.ElideMiddle
-    align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-    painter.drawText(upper, align, metrics.elidedText(info.name, elide, upper.width()))
+    """Paint a frame's name and JaC, and below what is wrong, the verdict, how much is annotated.
+
+    Args:
+        painter: on the view.
+        box: next to the thumbnail.
+        info: the frame's.
+        option: with font and palette.
+        colours: of names, of what steps back, and of counts.
+    """
+    text, quiet, front = colours
+    if info.jac is not None:
+        room = paint_jac(painter, box, info.jac, option.font, text, quiet)
+        box = box.adjusted(0, 0, -room, 0)
+    painter.setFont(option.font)
+    fits = painter.fontMetrics().horizontalAdvance
+    upper, lower = _halves(box)
+    _paint_text(painter, upper, info.name, text)
     marker = tr("⚠ unreadable") if info.unreadable else tr("● not saved") if info.dirty else ""
     if info.camera_problem and not marker:
         marker = tr("⚠ camera")
     if marker:
-        width = min(metrics.horizontalAdvance(marker) + 8, lower.width())
-        chip = QRectF(lower.left(), lower.top() + 1, width, lower.height() - 2)
-        back, front = (QColor(c) for c in alarm_colours(palette))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(back)
-        painter.drawRoundedRect(chip, 3, 3)
-        painter.setPen(front)
-        painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, marker)
-        lower.setLeft(lower.left() + int(width) + 6)
+        alarm = tuple(QColor(c) for c in alarm_colours(option.palette))
+        chip = QRectF(lower.adjusted(0, 1, 0, -1))
+        chip.setWidth(min(fits(marker) + 8, lower.width()))
+        lower.setLeft(lower.left() + _paint_chip(painter, chip, marker, alarm[1], alarm[0]))
     if info.has_errors:
         side = min(15, lower.height() - 1)
         sign = QRectF(lower.left(), lower.center().y() - side / 2 + 0.5, side, side)
         paint_finding_sign(painter, sign, Severity.ERROR)
         lower.setLeft(lower.left() + side + 5)
     if info.verdict is not None:
-        lower.setLeft(lower.left() + _paint_verdict(painter, lower, info.verdict, text))
+        words = tr(FAULT_WORDS[info.verdict], "a verdict")
+        if fits(words) + 10 > lower.width():
+            words = tr(info.verdict.value, "a verdict")
+        width = min(fits(words) + 10, lower.width())
+        chip = QRectF(lower.left() + 0.5, lower.top() + 1.5, width - 1, lower.height() - 3)
+        lower.setLeft(lower.left() + _paint_chip(painter, chip, words, text))
     if info.count is not None and not info.unreadable:
-        painter.setPen(text if selected else quiet)
-        short = bool(marker) or info.verdict is not None
-        choices = row_words(info, short)
-        fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
-        words = next(fitting, "" if info.verdict is not None else choices[-1])
-        painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
+        choices = row_words(info, bool(marker) or info.verdict is not None)
+        shortest = "" if info.verdict is not None else choices[-1]
+        words = next((w for w in choices if fits(w) <= lower.width()), shortest)
+        _paint_text(painter, lower, words, front)
 
 
-def _paint_verdict(painter: QPainter, box: QRect, fault: FaultParty, text: QColor) -> int:
-    """The verdict in a frame of its own; returns the room it takes."""
-    metrics = painter.fontMetrics()
-    words = tr(FAULT_WORDS[fault], "a verdict")
-    if metrics.horizontalAdvance(words) + 10 > box.width():
-        words = tr(fault.value, "a verdict")
-    width = min(metrics.horizontalAdvance(words) + 10, box.width())
+def _paint_chip(
+    painter: QPainter, chip: QRectF, words: str, text: QColor, ground: QColor | None = None
+) -> int:
+    """Paint words in a frame, or on a ground of their own; return the room they take."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(text)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    chip = QRectF(box.left() + 0.5, box.top() + 1.5, width - 1, box.height() - 3)
+    painter.setPen(text if ground is None else Qt.PenStyle.NoPen)
+    painter.setBrush(Qt.BrushStyle.NoBrush if ground is None else ground)
     painter.drawRoundedRect(chip, 3, 3)
+    painter.setPen(text)
     painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, words)
-    return width + 6
+    return math.ceil(chip.width()) + 6
 
 
 def row_words(info: RowInfo, short: bool) -> list[str]:
