@@ -376,7 +376,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "The field map has the side below that the camera stands on, and what the camera does not"
           " see is faint; the half that is out of sight leaves its room to the other one",
           checkable=True, remembered=True, checked=True),
-    _spec("View", "strip", "Strip of frames", "", "strip_visibility.set_wanted",
+    _spec("View", "strip", "Strip of frames", "", "strip.set_wanted",
           "Below the picture: of a video, or of frames that follow one another, how their cameras"
           " do and where they are annotated; of other frames small pictures with their states",
           checkable=True, remembered=True, checked=True),

@@ -44,7 +44,7 @@ from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
-from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripVisibility
+from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
@@ -200,9 +200,8 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.pages)
-        self.strip = ShotStrip(self.services)
+        self.strip = ShotStrip(self.services, self.canvas.editor)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.strip_visibility = StripVisibility(self.services, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
         self.drawer = PlotsHandle(self.panels)
         column.addWidget(self.drawer)
@@ -220,7 +219,7 @@ class MainWindow(QMainWindow):
         self.scores = ScoresPanel(services)
         self.fit = FitPanel(services)
         self.plots = PlotsPanel(services)
-        self.findings = FindingsPanel(services)
+        self.findings = FindingsPanel(services, self.label_check)
         self.landmarks = LandmarksPanel(services)
         self.review = ReviewPanel(services)
         self.agreement = AgreementPanel(services)
@@ -261,7 +260,6 @@ class MainWindow(QMainWindow):
         self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
         self.worst_first.progressed.connect(self.status.show_comparing)
         self.triage.serve(self.scores.verdict)
-        self.label_check.serve(self.findings)
         # Its reason should be in sight.
         self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))
         note_activity = services.review.note_activity

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from html import escape
+from typing import Protocol
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -16,8 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.calibration.label_check.finding import Severity
-from procc_annotator.dataset.review import by_severity
+from procc_annotator.calibration.label_check.finding import Remedy, Severity
+from procc_annotator.dataset.review import StoredFinding, by_severity
 from procc_annotator.gui.canvas.finding_sign import finding_icon
 from procc_annotator.gui.panels.finding_rows import (
     Entry,
@@ -136,21 +138,25 @@ _FRAME, _SET = range(2)
 _MOST_REMEDIES = 4
 
 
+class _Commands(Protocol):
+    """Slots of the list of findings."""
+
+    def go(self, frame: str, found: StoredFinding) -> None: ...
+    def apply(self, found: StoredFinding, remedy: Remedy) -> None: ...
+    def ignore(self, frame: str, found: StoredFinding) -> None: ...
+    def restore(self) -> None: ...
+    def check_set(self) -> None: ...
+    def stop(self) -> None: ...
+    def ask_export(self) -> None: ...
+
+
 class FindingsPanel(QWidget):
-    """Displays `services.label_check`; anyone who does the work listens to its signals."""
+    """Displays `services.label_check`; commands do what the user asks for."""
 
-    goTo = Signal(str, object)  # a frame and what was found in it
-    remedyWanted = Signal(object, object)  # what was found, and the remedy
-    ignoreWanted = Signal(str, object)
-    restoreWanted = Signal()
-    checkWanted = Signal()
-    stopWanted = Signal()
-    exportWanted = Signal()
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services, commands: _Commands) -> None:
+        super().__init__()
         self.setObjectName("findings_panel")
-        self._services = services
+        self._services, self._commands = services, commands
         self._check = services.label_check
         self._following = False
         self._build()
@@ -174,7 +180,7 @@ class FindingsPanel(QWidget):
     def _build(self) -> None:
         self.note = note_label("findings_note")
         self.note.setTextFormat(Qt.TextFormat.RichText)
-        self.note.linkActivated.connect(lambda _: self.restoreWanted.emit())
+        self.note.linkActivated.connect(self._commands.restore)
         self.model = FindingsModel(self._services)
         self.model.setParent(self)
         self.list = named(FindingsList(), "findings_list", title=tr("Findings"))
@@ -219,17 +225,17 @@ class FindingsPanel(QWidget):
     def _make_foot(self) -> QHBoxLayout:
         self.check_button = make_button(
             tr("Check the whole set"),
-            self.checkWanted,
+            self._commands.check_set,
             "findings_check",
             tip=tr("Look for wrong labels in every annotated frame"),
         )
         title = tr("Frames checked")
         self.progress = named(QProgressBar(), "findings_progress", title=title)
         self.progress.setFormat("%v / %m")
-        self.stop_button = make_button(tr("Stop"), self.stopWanted, "findings_stop")
+        self.stop_button = make_button(tr("Stop"), self._commands.stop, "findings_stop")
         self.export_button = make_button(
             tr("Export…"),
-            self.exportWanted,
+            self._commands.ask_export,
             "findings_export",
             tip=tr("Write the findings of all checked frames as CSV"),
         )
@@ -307,16 +313,13 @@ class FindingsPanel(QWidget):
                 said = tr(remedy.text)
                 text = said[:1].upper() + said[1:]
 
-                def do(found: object = found, remedy: object = remedy) -> None:
-                    self.remedyWanted.emit(found, remedy)
-
+                do = partial(self._commands.apply, found, remedy)
                 wanted.append((f"{text} (F12)" if at == 0 else text, "", do))
             frame = self._services.state.frame
             name = frame.name if frame is not None else ""
             tip = tr("Do not show it again until the points of its elements change")
-            wanted.append(
-                (tr("Ignore this finding"), tip, lambda: self.ignoreWanted.emit(name, found))
-            )
+            ignore = partial(self._commands.ignore, name, found)
+            wanted.append((tr("Ignore this finding"), tip, ignore))
         while len(self.remedy_buttons) < len(wanted):
             button = named(WrappingButton(), f"findings_remedy_{len(self.remedy_buttons)}")
             self.remedies.addWidget(button)
@@ -355,7 +358,7 @@ class FindingsPanel(QWidget):
 
     def _go(self, index: QModelIndex) -> None:
         if not self._following and 0 <= index.row() < len(self.model.entries):
-            self.goTo.emit(*self.model.entries[index.row()])
+            self._commands.go(*self.model.entries[index.row()])
 
     def eventFilter(self, watched: object, event: QEvent) -> bool:
         deleted = (
@@ -366,7 +369,7 @@ class FindingsPanel(QWidget):
         )
         row = self.list.currentIndex().row() if deleted else -1
         if 0 <= row < len(self.model.entries):
-            self.ignoreWanted.emit(*self.model.entries[row])
+            self._commands.ignore(*self.model.entries[row])
             return True
         return False
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, SignalInstance
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
     QAccessible,
     QFocusEvent,
@@ -130,7 +130,7 @@ class ShotStrip(QWidget):
         content: what is shown.
     """
 
-    def __init__(self, services: Services) -> None:
+    def __init__(self, services: Services, editor: Editor) -> None:
         super().__init__()
         give_role(self, QAccessible.Role.Slider)
         self.setObjectName("shotStrip")
@@ -157,6 +157,35 @@ class ShotStrip(QWidget):
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
             self.content.changed,
         )
+        self._editor, self._wanted, self._begun = editor, True, False
+        self.setVisible(False)
+        services.sequence.changed.connect(self._take_sequence)
+        editor.changed.connect(self._note_begun)
+        watch = services.store.watch
+        watch(lambda s: (s.shown_annotation, s.selection), self._note_begun, When.GESTURE)
+        watch(select.frame, self._take_frame)
+
+    # --- whether it is shown ----------------------------------------------------------------
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Show it where frames follow one another, or never."""
+        self._wanted = wanted
+        self._show_if_wanted()
+
+    def _take_frame(self) -> None:
+        """Another frame is on screen: the picture may move."""
+        self._begun = False
+        self._show_if_wanted()
+
+    def _note_begun(self) -> None:
+        self._begun = True
+
+    def _take_sequence(self) -> None:
+        if not self._begun and not self._editor.drawing:
+            self._show_if_wanted()
+
+    def _show_if_wanted(self) -> None:
+        self.setVisible(self._wanted and self._services.sequence.value is not None)
 
     def show_tasks(self, *tasks: StripTask) -> None:
         """Say how far these are, and which stretch is marked."""
@@ -354,42 +383,3 @@ class ShotStrip(QWidget):
         assert self._mark_from is not None
         self.stretch = min(self._mark_from, number), max(self._mark_from, number)
         self.update()
-
-
-class StripVisibility(QObject):
-    """Shows and hides the strip."""
-
-    def __init__(self, services: Services, editor: Editor, strip: ShotStrip) -> None:
-        super().__init__(strip)
-        self._services, self._editor, self._strip = services, editor, strip
-        self._wanted, self._begun = True, False
-        strip.setVisible(False)
-        services.sequence.changed.connect(self._look)
-        editor.changed.connect(self._note)
-        services.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
-        services.store.watch(select.frame, self._begin)
-
-    @property
-    def wanted(self) -> bool:
-        """Return whether a person wants it where there is one."""
-        return self._wanted
-
-    def set_wanted(self, wanted: bool) -> None:
-        """Show it where there is one, or do not."""
-        self._wanted = wanted
-        self._show()
-
-    def _begin(self) -> None:
-        """A frame came whole."""
-        self._begun = False
-        self._show()
-
-    def _note(self) -> None:
-        self._begun = True
-
-    def _look(self) -> None:
-        if not self._begun and not self._editor.drawing:
-            self._show()
-
-    def _show(self) -> None:
-        self._strip.setVisible(self._wanted and self._services.sequence.value is not None)
