@@ -9,7 +9,7 @@ from itertools import islice
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.actions import ACTIONS
-from procc_annotator.gui.keymap import key_text
+from procc_annotator.gui.keymap import NATIVE, key_text
 from procc_annotator.gui.panels.widgets import (
     Index,
     RowsModel,
@@ -53,23 +53,23 @@ class Entry:
     """One thing that can be called.
 
     Attributes:
-        key: what it is remembered by as called last; "" for things of one dataset.
         kind: what sort of thing it is, its menu or another sort, marked by ``word``.
         title: its name, as menus and panels have it.
+        run: calls it.
         detail: what it does, or where it lies.
         keys: what else calls it, as people write it.
-        run: calls it.
+        key: what it is remembered by as called last; "" for things of one dataset.
         on: whether it is on; None for what is neither.
         enabled: whether it can be called now.
         english: its name in English, which finds it whatever the language.
     """
 
-    key: str
     kind: str
     title: str
-    detail: str
-    keys: str
     run: Callable[[], object]
+    detail: str
+    keys: str = ""
+    key: str = ""
     on: bool | None = None
     enabled: bool = True
     english: str = ""
@@ -127,12 +127,12 @@ class PaletteEntries:
             action, place = self._actions[spec.name], spec.menu.partition("/")[2]
             english = spec.text.lstrip("-")
             yield Entry(
-                f"action:{spec.name}",  # not shown
                 spec.menu.split("/")[0],
                 in_menu(spec.menu, action.text()),
-                tr(spec.tip),
-                _keys_of(action),
                 action.trigger,
+                tr(spec.tip),
+                "  ".join(keys.toString(NATIVE) for keys in action.shortcuts()),
+                f"action:{spec.name}",  # not shown
                 action.isChecked() if action.isCheckable() else None,
                 action.isEnabled(),
                 f"{place}: {english}" if place else english,
@@ -144,20 +144,19 @@ class PaletteEntries:
         yield from self._of_panels()
         yield from self._of_settings()
         for path in self._settings.get(RECENT):
-            yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
+            yield Entry(_OPEN, described(path), partial(self._open_path, path), str(path))
 
     def _of_elements(self) -> Iterator[Entry]:
         services = self._services
         field = services.state.field
         for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
             yield Entry(
-                "",
                 _ELEMENT,
                 tr(field.title_of(name)),
+                partial(services.selection.select_class, name, continues=True),
                 name,
                 key_text(field, name, services.state.keymap),
-                partial(services.selection.select_class, name, continues=True),
-                services.state.selected_class == name,
+                on=services.state.selected_class == name,
                 english=field.title_of(name),
             )
 
@@ -165,36 +164,32 @@ class PaletteEntries:
         services = self._services
         for index, source in enumerate(services.state.sources):
             yield Entry(
-                "",
                 _CAMERAS,
                 tr("Judge {source}", source=source.name),
-                tr("Judge with this source"),
-                "",
                 partial(services.camera_sources.set_active_camera, index),
-                source is services.state.active,
+                tr("Judge with this source"),
+                on=source is services.state.active,
                 english=f"Judge {source.name}",  # not shown
             )
         for model in MODELS:
             yield Entry(
-                f"model:{model}",  # not shown
                 _CAMERA,
                 tr("Live fit: model {model}", model=model),
-                tr("Fit this model to the clicks; auto takes the simplest that they support"),
-                "",
                 partial(services.live_fit.set_model, model),
-                services.live_fit.model == model,
+                tr("Fit this model to the clicks; auto takes the simplest that they support"),
+                key=f"model:{model}",  # not shown
+                on=services.live_fit.model == model,
                 english=f"Live fit: model {model}",  # not shown
             )
 
     def _of_panels(self) -> Iterator[Entry]:
         for name, title in TITLES.items():
             yield Entry(
-                f"panel:{name}",  # not shown
                 _PANEL,
                 tr("Panel {title}", title=tr(title)),
-                tr("Open this panel and bring it to the front"),
-                "",
                 partial(self._show_panel, name),
+                tr("Open this panel and bring it to the front"),
+                key=f"panel:{name}",  # not shown
                 english=f"Panel {title}",  # not shown
             )
 
@@ -202,12 +197,11 @@ class PaletteEntries:
         for setting in OFFERED:
             if setting.shown is not None and setting.key not in SWITCHES:  # those are actions
                 yield Entry(
-                    f"setting:{setting.key}",  # not shown
                     _SETTING,
                     f"{tr(setting.shown.title)}…",
-                    tr(setting.text),
-                    "",
                     partial(self._show_setting, setting.key),
+                    tr(setting.text),
+                    key=f"setting:{setting.key}",  # not shown
                     english=f"{setting.shown.title}…",
                 )
 
@@ -219,15 +213,10 @@ class PaletteEntries:
         except ValueError:
             return
         if 0 < number <= 100:
-            yield Entry(
-                "",
-                _CAMERA,
-                tr("Threshold {px:g} px", px=number),
-                tr("Judge elements by this tau"),
-                "",
-                lambda: services.evaluation.set_tau(number),
-                services.state.tau == number,
-            )
+            title = tr("Threshold {px:g} px", px=number)
+            set_tau = partial(services.evaluation.set_tau, number)
+            tip, on = tr("Judge elements by this tau"), services.state.tau == number
+            yield Entry(_CAMERA, title, set_tau, tip, on=on)
         count = len(services.state.workspace.frames) if services.state.workspace is not None else 0
         if number.is_integer() and 1 <= number <= count:
             index = int(number) - 1
@@ -247,15 +236,9 @@ class PaletteEntries:
         services = self._services
         assert services.state.workspace is not None
         name = services.state.workspace.frames[index].name
-        return Entry(
-            "",
-            _FRAME,
-            title,
-            name if name != title else tr("Go to this frame"),
-            "",
-            lambda: services.navigator.go_to(index),
-            index == services.state.frame_index,
-        )
+        go = partial(services.navigator.go_to, index)
+        detail = name if name != title else tr("Go to this frame")
+        return Entry(_FRAME, title, go, detail, on=index == services.state.frame_index)
 
 
 def _rank(text: str, entry: Entry) -> int | None:
@@ -267,11 +250,6 @@ def _rank(text: str, entry: Entry) -> int | None:
     if match_rank(text, f"{entry.kind} {' '.join(entry.names)} {entry.detail}") is not None:
         return _BY_DETAIL
     return None
-
-
-def _keys_of(action: QAction) -> str:
-    native = QKeySequence.SequenceFormat.NativeText
-    return "  ".join(keys.toString(native) for keys in action.shortcuts())
 
 
 _WIDTH = 680
