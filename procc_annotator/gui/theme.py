@@ -69,47 +69,26 @@ def _drawn(name: str, colour: str) -> QSvgRenderer:
     return QSvgRenderer(QByteArray(drawn.replace(_BLACK, colour.encode())))
 
 
-_LIGHT = {
-    QPalette.ColorRole.Window: "#f3f4f5",
-    QPalette.ColorRole.WindowText: "#1b1d1f",
-    QPalette.ColorRole.Base: "#ffffff",
-    QPalette.ColorRole.AlternateBase: "#f0f2f4",
-    QPalette.ColorRole.Text: "#1b1d1f",
-    QPalette.ColorRole.PlaceholderText: "#5a6168",
-    QPalette.ColorRole.Button: "#e9ebed",
-    QPalette.ColorRole.ButtonText: "#1b1d1f",
-    QPalette.ColorRole.BrightText: "#ffffff",
-    QPalette.ColorRole.ToolTipBase: "#ffffff",
-    QPalette.ColorRole.ToolTipText: "#1b1d1f",
-    QPalette.ColorRole.Highlight: "#0b63a8",
-    QPalette.ColorRole.HighlightedText: "#ffffff",
-    QPalette.ColorRole.Link: "#0b63a8",
-    QPalette.ColorRole.Light: "#ffffff",
-    QPalette.ColorRole.Midlight: "#e3e5e8",
-    QPalette.ColorRole.Mid: "#b9bec4",
-    QPalette.ColorRole.Dark: "#9aa0a6",
-    QPalette.ColorRole.Shadow: "#70757a",
-}
-_DARK = {
-    QPalette.ColorRole.Window: "#24272a",
-    QPalette.ColorRole.WindowText: "#e6e8ea",
-    QPalette.ColorRole.Base: "#1a1c1e",
-    QPalette.ColorRole.AlternateBase: "#212427",
-    QPalette.ColorRole.Text: "#e6e8ea",
-    QPalette.ColorRole.PlaceholderText: "#9da5ad",
-    QPalette.ColorRole.Button: "#33373b",
-    QPalette.ColorRole.ButtonText: "#e6e8ea",
-    QPalette.ColorRole.BrightText: "#ffffff",
-    QPalette.ColorRole.ToolTipBase: "#33373b",
-    QPalette.ColorRole.ToolTipText: "#e6e8ea",
-    QPalette.ColorRole.Highlight: "#2873b2",
-    QPalette.ColorRole.HighlightedText: "#ffffff",
-    QPalette.ColorRole.Link: "#6fb5ec",
-    QPalette.ColorRole.Light: "#4a4f54",
-    QPalette.ColorRole.Midlight: "#3c4145",
-    QPalette.ColorRole.Mid: "#4a5056",
-    QPalette.ColorRole.Dark: "#141618",
-    QPalette.ColorRole.Shadow: "#0a0b0c",
+_COLOURS = {  # light, dark
+    QPalette.ColorRole.Window: ("#f3f4f5", "#24272a"),
+    QPalette.ColorRole.WindowText: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.Base: ("#ffffff", "#1a1c1e"),
+    QPalette.ColorRole.AlternateBase: ("#f0f2f4", "#212427"),
+    QPalette.ColorRole.Text: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.PlaceholderText: ("#5a6168", "#9da5ad"),
+    QPalette.ColorRole.Button: ("#e9ebed", "#33373b"),
+    QPalette.ColorRole.ButtonText: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.BrightText: ("#ffffff", "#ffffff"),
+    QPalette.ColorRole.ToolTipBase: ("#ffffff", "#33373b"),
+    QPalette.ColorRole.ToolTipText: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.Highlight: ("#0b63a8", "#2873b2"),
+    QPalette.ColorRole.HighlightedText: ("#ffffff", "#ffffff"),
+    QPalette.ColorRole.Link: ("#0b63a8", "#6fb5ec"),
+    QPalette.ColorRole.Light: ("#ffffff", "#4a4f54"),
+    QPalette.ColorRole.Midlight: ("#e3e5e8", "#3c4145"),
+    QPalette.ColorRole.Mid: ("#b9bec4", "#4a5056"),
+    QPalette.ColorRole.Dark: ("#9aa0a6", "#141618"),
+    QPalette.ColorRole.Shadow: ("#70757a", "#0a0b0c"),
 }
 # The style takes the edges of boxes that are ticked from the window's colour, a little darker: on a
 # dark window no one sees them. These stand in for it, for what draws such boxes.
@@ -130,8 +109,8 @@ _THEME, _USUAL_SIZE = "theme", "usualTextSize"  # properties of the application
 def palette(dark: bool) -> QPalette:
     """The colours of the window, light or dark."""
     result = QPalette()
-    for role, colour in (_DARK if dark else _LIGHT).items():
-        result.setColor(role, QColor(colour))
+    for role, colours in _COLOURS.items():
+        result.setColor(role, QColor(colours[dark]))
     for role in _TEXT_ROLES:
         result.setColor(
             QPalette.ColorGroup.Disabled, role, QColor("#7b838b" if dark else "#8b9299")

@@ -92,7 +92,7 @@ def hurried(lean) -> Iterator[None]:
 _WAITS_FOR_A_HAND = (
     (runner, "_DELAY_MS"),
     (field_dimensions, "_SETTLED_MS"),
-    (frame_rows, "_SOON_MS"),
+    (frame_rows, "_SETTLED_MS"),
     (live_fit, "_STAYED_MS"),
     (line_pixels, "_STAYED_MS"),
     (frames, "_TYPED_MS"),

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QFont, QKeyEvent, QResizeEvent
+from PySide6.QtGui import QBrush, QFont, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QTreeWidget,
@@ -28,7 +28,6 @@ from procc_annotator.gui.panels.element_states import (
 from procc_annotator.gui.panels.finding_rows import FindingSigns
 from procc_annotator.gui.panels.widgets import (
     NARROW,
-    SEARCH_KEYS,
     Pages,
     named,
     search_line,
@@ -88,8 +87,9 @@ class ElementsPanel(QWidget):
 
     def _build(self) -> None:
         hint = tr("Find an element")
-        self.search = search_line(hint, "elements_search", self._apply_search)
-        self.search.installEventFilter(self)
+        self.search = search_line(
+            hint, "elements_search", self._apply_search, keys=self._search_key
+        )
         self.tree = named(QTreeWidget(columnCount=4), "elements_tree", title=tr("Elements"))
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
@@ -316,16 +316,9 @@ class ElementsPanel(QWidget):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
             self._services.selection.hover_class(None)
-        if watched is self.search and isinstance(event, QKeyEvent):
-            if event.type() == QEvent.Type.ShortcutOverride and event.key() in SEARCH_KEYS:
-                event.accept()  # here they search, they do not finish a polyline
-                return True
-            if event.type() == QEvent.Type.KeyPress:
-                return self._search_key(event)
         return super().eventFilter(watched, event)
 
-    def _search_key(self, event: QKeyEvent) -> bool:
-        key = event.key()
+    def _search_key(self, key: Qt.Key) -> None:
         if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             item = self.tree.currentItem()
             if self.search.text().strip() and item is not None and not item.isHidden():
@@ -333,12 +326,8 @@ class ElementsPanel(QWidget):
                 self._leave_search()
         elif key == Qt.Key.Key_Escape:
             self._leave_search()
-        elif key in (Qt.Key.Key_Down, Qt.Key.Key_Up):
-            step = 1 if key == Qt.Key.Key_Down else -1
-            self._step(step)
         else:
-            return False
-        return True
+            self._step(1 if key == Qt.Key.Key_Down else -1)
 
     def _step(self, step: int) -> None:
         visible = [item for item in self._in_order() if not item.isHidden()]

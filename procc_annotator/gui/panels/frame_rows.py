@@ -122,7 +122,7 @@ def _to_image(pixels: PixelArray) -> QImage:
 
 
 _FIGURES_BUDGET_S = 0.003
-_SOON_MS = 150
+_SETTLED_MS = 150
 _DONE = frozenset({Status.DONE, Status.APPROVED})
 
 
@@ -138,7 +138,7 @@ class FolderFigures(QObject):
         self._done = np.zeros(0, dtype=bool)
         self._jac = np.zeros(0)
         self._at = 0
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._soon.timeout.connect(self._begin)
         self._go_on = after_paint(self, self._count)
 

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
-    QLineEdit,
     QListWidget,
     QListWidgetItem,
     QWidget,
@@ -23,6 +21,7 @@ from procc_annotator.gui.panels.widgets import (
     make_label,
     named,
     note_label,
+    search_line,
     show_note,
     vbox,
 )
@@ -43,7 +42,6 @@ _BLIND_WORDS = {
     BlindStatus.BLIND: word("Committed in blind mode, and as it was then."),
     BlindStatus.EDITED: word("Edited after the cameras were shown."),
 }
-_TEXT_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
 
 
 class CommentList(QListWidget):
@@ -104,9 +102,8 @@ class ReviewPanel(QWidget):
         self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         hint = tr("Comment on this frame")
-        self.text = named(QLineEdit(placeholderText=hint), "reviewText", title=hint)
-        self.text.returnPressed.connect(self._send)
-        self.text.installEventFilter(self)
+        self.text = search_line(hint, "reviewText", keys=self._text_key)
+        self.text.setClearButtonEnabled(False)
         tip = tr("Add the comment to the thread (Enter)")
         self.send = make_button(tr("Add"), self._send, tip=tip)
         vbox(
@@ -231,15 +228,11 @@ class ReviewPanel(QWidget):
         resolved = item.checkState() is Qt.CheckState.Checked
         self._services.review.resolve_comment(comment, resolved)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self.text and isinstance(event, QKeyEvent) and event.key() in _TEXT_KEYS:
-            if event.type() == QEvent.Type.ShortcutOverride:
-                event.accept()  # here Enter sends the comment, it does not finish a polyline
-                return True
-            if event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_Escape:
-                self.left.emit()
-                return True
-        return super().eventFilter(watched, event)
+    def _text_key(self, key: Qt.Key) -> None:
+        if key == Qt.Key.Key_Escape:
+            self.left.emit()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._send()
 
 
 def _duration(seconds: float) -> str:

@@ -7,6 +7,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QEvent,
     QLocale,
     QModelIndex,
     QPersistentModelIndex,
@@ -17,7 +18,7 @@ from PySide6.QtCore import (
     Signal,
     SignalInstance,
 )
-from PySide6.QtGui import QAction, QFont, QPalette, QValidator
+from PySide6.QtGui import QAction, QFont, QKeyEvent, QPalette, QValidator
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QBoxLayout,
@@ -239,10 +240,6 @@ class ElementTable(LowTable):
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
 
-# What a search box takes for itself although the window has a shortcut for it.
-SEARCH_KEYS = frozenset(
-    {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
-)
 # Property of a line of text that leaves Escape to the window: back to what it was, then away.
 LEFT_BY_ESCAPE = "left_by_escape"
 
@@ -344,15 +341,51 @@ def make_button(
     return made
 
 
+_LINE_KEYS = frozenset(
+    {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
+)
+
+
+class KeyLine(QLineEdit):
+    """A line of text that has Enter, Escape and the arrows although the window has them too."""
+
+    keyPressed = Signal(object)  # a Qt.Key
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.key() in _LINE_KEYS:
+            if event.type() == QEvent.Type.KeyPress:
+                self.keyPressed.emit(Qt.Key(event.key()))
+            if event.type() != QEvent.Type.KeyRelease:
+                event.accept()  # here they do not finish a polyline
+                return True
+        return super().event(event)
+
+
 def search_line(
-    hint: str, name: str, changed: Callable[..., object] | None = None, title: str = ""
+    hint: str,
+    name: str,
+    changed: Callable[..., object] | None = None,
+    title: str = "",
+    *,
+    keys: Callable[[Qt.Key], object] | None = None,
 ) -> QLineEdit:
-    """Make a line to search with; ``title`` is read out instead of the hint."""
-    line = named(
-        QLineEdit(placeholderText=hint, clearButtonEnabled=True), name, title=title or hint
-    )
+    """Make a line to search with.
+
+    Args:
+        hint: shown while it is empty.
+        name: the object name.
+        changed: called when the text changes.
+        title: read out instead of the hint.
+        keys: receives Enter, Escape and the vertical arrows, which are the line's then.
+    """
+    line = QLineEdit() if keys is None else KeyLine()
+    line.setPlaceholderText(hint)
+    line.setClearButtonEnabled(True)
+    named(line, name, title=title or hint)
     if changed is not None:
         line.textChanged.connect(changed)
+    if isinstance(line, KeyLine) and keys is not None:
+        line.keyPressed.connect(keys)
     return line
 
 
