@@ -28,7 +28,7 @@ from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.panels.timeline.content import Axis, StripContent
-from procc_annotator.gui.panels.timeline.painting import Rows, paint_here, paint_strip, strip_rows
+from procc_annotator.gui.panels.timeline.painting import StripPainter
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
@@ -229,34 +229,25 @@ class ShotStrip(QWidget):
     def _room(self) -> float:
         return max(1.0, self.width() - 2.0 * _SIDE)
 
-    def _rows(self) -> Rows:
-        return strip_rows(self.fontMetrics())
-
     def sizeHint(self) -> QSize:
-        return QSize(400, self._rows().height)
+        return QSize(400, StripPainter.height(self.fontMetrics()))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(120, self._rows().height)
+        return QSize(120, StripPainter.height(self.fontMetrics()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         axis = self.axis
         if axis is None:
             return
-        painter = QPainter(self)
         area = QRectF(_SIDE, 0, self._room(), self.height())
-        painter.drawPixmap(0, 0, self._frames_painted(axis, area))
-        far = next(filter(None, (task.words() for task in self._tasks)), "")
-        paint_here(
-            painter,
-            axis,
-            area,
-            colours=self.palette(),
-            number=self.number,
-            words=(strip_words(self._services, self.content, self.number), far),
-        )
-        painter.end()
+        strip = StripPainter(self.fontMetrics(), axis, area, self.palette())
+        with QPainter(self) as painter:
+            painter.drawPixmap(0, 0, self._frames_painted(axis, strip))
+            far = next(filter(None, (task.words() for task in self._tasks)), "")
+            words = strip_words(self._services, self.content, self.number)
+            strip.paint_here(painter, self.number, words, far)
 
-    def _frames_painted(self, axis: Axis, area: QRectF) -> QPixmap:
+    def _frames_painted(self, axis: Axis, strip: StripPainter) -> QPixmap:
         """All but what changes from frame to frame, painted anew where it changed."""
         ratio = self.devicePixelRatioF()
         of = (axis, self.size(), ratio, self.stretch, self.content.hidden, self.palette())
@@ -264,12 +255,9 @@ class ShotStrip(QWidget):
             self._painted_of = of
             self._painted = QPixmap(self.size() * ratio)
             self._painted.setDevicePixelRatio(ratio)
-            painter = QPainter(self._painted)
-            painter.setFont(self.font())
-            paint_strip(
-                painter, self.content, axis, area, colours=self.palette(), stretch=self.stretch
-            )
-            painter.end()
+            with QPainter(self._painted) as painter:
+                painter.setFont(self.font())
+                strip.paint_frames(painter, self.content, self.stretch)
         return self._painted
 
     def _paint_anew(self) -> None:
