@@ -249,7 +249,7 @@ class MainWindow(QMainWindow):
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
         services.store.watch(select.frame, self._fit_below_bars)
-        self.opening.secondChosen.connect(self.agreement.open)
+        self.opening.secondChosen.connect(services.second_annotator.open)
         self.services.second_annotator.opened.connect(self._show_second)
         for panel in (self.elements, self.frames, self.review, self.landmarks):
             panel.left.connect(self.canvas.setFocus)

@@ -219,7 +219,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
         all_done(qtbot)
     services.selection.select_class("Circle left")
     begun._show_menu(QPoint(0, 0))
-    begun.agreement.open(second)
+    begun.services.second_annotator.open(second)
     all_done(qtbot)
     found += texts_of(begun)
     assert _left_out([*found, *asked.texts]) == {}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QTimer
@@ -110,10 +109,6 @@ class AgreementPanel(QWidget):
         services.store.watch(select.score, self._rested.start)
         services.store.events.framesEdited.connect(self._rested.start)
         self._refresh()
-
-    def open(self, path: Path) -> None:
-        """Compare with the annotations of a folder or archive of any format, once they are read."""
-        self._services.second_annotator.open(path)
 
     def _compare(self) -> None:
         services = self._services

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
@@ -17,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.dataset.filter_query import QUERY_HELP, FrameFacts, FrameQuery, parse_query
 from procc_annotator.dataset.frames import Folder
-from procc_annotator.dataset.records import FrameRecord, Status, Verdict
+from procc_annotator.dataset.records import FrameRecord, Status
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.panels.frame_delegate import FrameDelegate
@@ -103,7 +102,7 @@ class FrameFilter(QObject):
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation, reveals = self._query.needs_annotation, services.state.reveals
         allowed = services.scoring.frame_scores.allowed
-        verdicts = _Verdicts(services.review.all_verdicts(), allowed)
+        verdicts = services.review.all_verdicts()
         asked = workspace.frames if self._query.needs_check else ()
         findings = {f.name: services.label_check.known.severities_of(f.name) for f in asked}
 
@@ -119,6 +118,7 @@ class FrameFilter(QObject):
                     annotated = workspace.read(index).annotated
                 except InputError:
                     unreadable = True
+            judged = verdicts.get(name, {}) if allowed is None or allowed(name) else {}
             has_comments = record is not None and record.comments > 0
             return FrameFacts(
                 name=name,
@@ -131,26 +131,12 @@ class FrameFilter(QObject):
                 unreadable=unreadable,
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
-                verdicts=verdicts.faults_in(name),
+                verdicts=frozenset(str(verdict.fault) for verdict in judged.values()),
                 findings=findings.get(name),
                 has_camera=None if name in broken and reveals(name) else name in cameras,
             )
 
         return ask
-
-
-@dataclass(frozen=True)
-class _Verdicts:
-    """Whose fault scores are, of the frames of which that may be known (None: of all)."""
-
-    by_frame: Mapping[str, Mapping[str, Verdict]]
-    allowed: Callable[[str], bool] | None
-
-    def faults_in(self, name: str) -> frozenset[str]:
-        """Return what was said of a frame under any source."""
-        if name not in self.by_frame or (self.allowed is not None and not self.allowed(name)):
-            return frozenset()
-        return frozenset(str(verdict.fault) for verdict in self.by_frame[name].values())
 
 
 def _matching(

@@ -167,16 +167,12 @@ def list_rows(table: QTableView, room: int = 6) -> None:
     table.horizontalHeader().setHighlightSections(False)
 
 
-class ElementRow(Protocol):
-    """Interface of a row."""
-
+class _ElementRow(Protocol):
     @property
-    def class_name(self) -> str:
-        """The element's class."""
-        ...
+    def class_name(self) -> str: ...
 
 
-E = TypeVar("E", bound=ElementRow)
+E = TypeVar("E", bound=_ElementRow)
 
 
 class ElementRowsModel(RowsModel[E]):

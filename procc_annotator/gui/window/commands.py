@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.panels.widgets import hbox, make_label, named, search_line, vbox
-from procc_annotator.gui.settings import AUTHOR, KEYS
+from procc_annotator.gui.settings import KEYS
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Mode
 from procc_annotator.gui.window.key_dialogs import KeymapDialog, KeySheet
@@ -221,10 +221,6 @@ class Commands:
         self._guide.show()
         self._guide.raise_()
         self._guide.activateWindow()
-
-    def ask_author(self) -> None:
-        """Show where the name is entered that points, comments and versions bear."""
-        self.show_settings(AUTHOR.key)
 
     def show_keys(self) -> None:
         """Open the sheet of keys."""

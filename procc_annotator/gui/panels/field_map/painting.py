@@ -6,7 +6,6 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF, QTransform
 
@@ -67,20 +66,12 @@ class Placement:
         origin = room.topLeft() + QPointF(*_size(room)) / 2 - middle + view.shift
         moved = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
         transform = QTransform().rotate(90.0 * turns) * moved
-        matrix = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
 
-        def place(line: FloatArray) -> list[QPointF]:
-            at = line @ matrix + (origin.x(), origin.y())
-            return [QPointF(x, y) for x, y in at.tolist()]
+        def placed(points: FloatArray) -> QPolygonF:
+            return transform.map(QPolygonF([QPointF(x, y) for x, y in points.tolist()]))
 
-        corners = place(np.reshape(shape.ground, (2, 2)))
-        return cls(
-            scale,
-            transform,
-            tuple(QPolygonF(place(line)) for line in shape.lines),
-            tuple(place(shape.anchors)),
-            QRectF(*corners).normalized(),
-        )
+        lines, anchors = tuple(map(placed, shape.lines)), tuple(placed(shape.anchors).toList())
+        return cls(scale, transform, lines, anchors, transform.mapRect(_rect(shape.ground)))
 
     def to_widget(self, x: float, y: float) -> QPointF:
         """The position in the widget of metres on the map."""
@@ -100,9 +91,12 @@ def scale_to_fit(part: Bounds, room: QRectF, turns: int) -> float:
 
 
 def _turned(part: Bounds, turns: int) -> QRectF:
+    return QTransform().rotate(90.0 * turns).mapRect(_rect(part))
+
+
+def _rect(part: Bounds) -> QRectF:
     left, top, right, bottom = part
-    turned = QTransform().rotate(90.0 * turns)
-    return turned.mapRect(QRectF(left, top, right - left, bottom - top))
+    return QRectF(left, top, right - left, bottom - top)
 
 
 def _size(room: QRectF) -> tuple[float, float]:
