@@ -49,7 +49,6 @@ from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
-from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.keyboard_focus import (
@@ -59,7 +58,7 @@ from procc_annotator.gui.window.keyboard_focus import (
     FocusReturn,
     FocusRing,
 )
-from procc_annotator.gui.window.menus import Actions, ActionStates
+from procc_annotator.gui.window.menus import Actions, ActionStates, FindingTips, canvas_menu
 from procc_annotator.gui.window.status import ErrorReports, MessageRouter, StatusLine
 from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar

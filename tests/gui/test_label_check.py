@@ -33,7 +33,7 @@ from procc_annotator.dataset.review import check_without_fit, store_check
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
-from procc_annotator.gui.window.canvas_menu import canvas_menu
+from procc_annotator.gui.window.menus import canvas_menu
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
 EMPTY = "00001"
