@@ -24,7 +24,6 @@ from PySide6.QtWidgets import (
     QColorDialog,
     QFrame,
     QGridLayout,
-    QLabel,
     QLineEdit,
     QMenu,
     QRadioButton,
@@ -36,7 +35,14 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.computed_cameras import TRACK_NAME
-from procc_annotator.gui.panels.widgets import make_label, named, note_label, show_note, vbox
+from procc_annotator.gui.panels.widgets import (
+    ElidedLabel,
+    make_label,
+    named,
+    note_label,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, fixed_width
@@ -84,7 +90,8 @@ class SourceRow(QFrame):
         self.drawn = named(QCheckBox(), f"cameras_drawn_{index}", tip=tip)
         self.drawn.clicked.connect(lambda shown: commands.set_source_visible(source, shown))
         self.jac = make_label(name=f"cameras_jac_{index}", font=fixed_width(self.font()))
-        self.model = named(ElidedDetail(), f"cameras_model_{index}")
+        self.model = named(ElidedLabel(), f"cameras_model_{index}")
+        self.model.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self.matched = make_label(name=f"cameras_matched_{index}")
         self.remove = QToolButton(autoRaise=True)
         self.remove.setText("✕")
@@ -139,7 +146,8 @@ class SourceRow(QFrame):
         for label, (text, tip) in ((self.jac, self._jac()), (self.matched, self._matched())):
             label.setText(text)
             label.setToolTip(tip)
-        self.model.set_full_text(self._model())
+        self.model.set_text(self._model())
+        self.model.setToolTip(self.model.text())
         problem = self._problem()
         show_note(self.problem, f"⚠ {problem}" if problem else "")
 
@@ -343,32 +351,6 @@ class ElidedRadio(QRadioButton):
         room = width - self.iconSize().width() - 12
         elided = self.fontMetrics().elidedText(self.full_text, Qt.TextElideMode.ElideMiddle, room)
         self.setText(elided.replace("&", "&&"))
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        self._elide(event.size().width())
-        super().resizeEvent(event)
-
-
-class ElidedDetail(QLabel):
-    """A small text that gives way in a narrow panel; the tooltip has it in full."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._full = ""
-        self.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setTextFormat(Qt.TextFormat.PlainText)
-
-    def set_full_text(self, text: str) -> None:
-        """Show another text, as much of it as there is room for."""
-        if text != self._full:
-            self._full = text
-            self.setToolTip(text)
-            self._elide(self.width())
-
-    def _elide(self, width: int) -> None:
-        mode = Qt.TextElideMode.ElideRight
-        self.setText(self.fontMetrics().elidedText(self._full, mode, width))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._elide(event.size().width())

@@ -18,7 +18,7 @@ from PySide6.QtCore import (
     Signal,
     SignalInstance,
 )
-from PySide6.QtGui import QAction, QFont, QKeyEvent, QPalette, QValidator
+from PySide6.QtGui import QAction, QFont, QKeyEvent, QPainter, QPaintEvent, QPalette, QValidator
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QBoxLayout,
@@ -41,6 +41,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.translation import tr
 
 ROW, SEARCHED = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
@@ -460,6 +461,43 @@ def box_of(action: QAction, name: str) -> QCheckBox:
     box.clicked.connect(action.trigger)
     action.toggled.connect(box.setChecked)
     return box
+
+
+class ElidedLabel(QWidget):
+    """A text that is shortened with dots instead of pushing its neighbours out."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._text = ""
+        self._soon = after_paint(self, self.update)  # what the text is about is painted first
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def text(self) -> str:
+        """All of it."""
+        return self._text
+
+    def set_text(self, text: str) -> None:
+        """Show something else."""
+        if text != self._text:
+            self._text = text
+            self.setAccessibleName(text)
+            self._soon.start()
+
+    def text_for(self, width: int) -> str:
+        """Return what is shown in a width, px."""
+        return self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, width)
+
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(40, self.fontMetrics().height() + 2)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, area = QPainter(self), self.contentsRect()
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        left = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
+        painter.drawText(area, left, self.text_for(area.width()))
 
 
 class ScrolledContent(QWidget):

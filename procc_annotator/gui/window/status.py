@@ -18,16 +18,15 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QFontMetrics, QGuiApplication, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import QFontMetrics, QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QSizePolicy, QStatusBar, QWidget
 
 from procc_annotator import error_log
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.messages import Bar, ConflictBar, MessageBar
-from procc_annotator.gui.panels.widgets import hbox, make_label, named
+from procc_annotator.gui.panels.widgets import ElidedLabel, hbox, make_label, named
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.messages import UNSAVED, Message
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import fixed_width
@@ -64,27 +63,13 @@ _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class ElidedLabel(QWidget):
-    """A text that is shortened with dots instead of pushing its neighbours out."""
+class HintLabel(ElidedLabel):
+    """A line of message and hint, in which long titles of elements are shortened first."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._text = ""
-        self._soon = after_paint(self, self.update)  # what the text is about is painted first
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._long_title: re.Pattern[str] | None = None
         self._begins_with_title = True
-
-    def text(self) -> str:
-        """All of it."""
-        return self._text
-
-    def set_text(self, text: str) -> None:
-        """Show something else."""
-        if text != self._text:
-            self._text = text
-            self.setAccessibleName(text)
-            self._soon.start()
 
     def show_line(self, message: str, hint: str) -> None:
         """Show what just happened and what the next click does; either may be empty."""
@@ -97,12 +82,6 @@ class ElidedLabel(QWidget):
         # A title may begin another one: the longer is looked for first.
         long = sorted((t for t in titles if len(t) > _SHORT_TITLE), key=len, reverse=True)
         self._long_title = re.compile(f"({'|'.join(map(re.escape, long))})") if long else None
-
-    def sizeHint(self) -> QSize:
-        return self.minimumSizeHint()
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(40, self.fontMetrics().height() + 2)
 
     def text_for(self, width: int) -> str:
         """Return what is shown in a width, px: before how to go on is cut, the title in front
@@ -136,16 +115,6 @@ class ElidedLabel(QWidget):
         middle = Qt.TextElideMode.ElideMiddle
         parts[1::2] = [metrics.elidedText(title, middle, most) for title in parts[1::2]]
         return "".join(parts)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        area = self.contentsRect()
-        painter.setPen(self.palette().windowText().color())
-        painter.drawText(
-            area,
-            Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft,
-            self.text_for(area.width()),
-        )
 
 
 def _most(widths: Sequence[int], room: int) -> int:
@@ -218,7 +187,7 @@ class StatusLine(QStatusBar):
         super().__init__()
         self._services, self._canvas = services, canvas
         self.setSizeGripEnabled(False)
-        self.hint = named(ElidedLabel(), "hint")
+        self.hint = named(HintLabel(), "hint")
         self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
         self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
         self.pixels.setToolTip(

@@ -22,14 +22,14 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.widgets import hbox, named, range_box
+from procc_annotator.gui.panels.widgets import ElidedLabel, hbox, named, range_box
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.status import ElidedLabel, IsolatedRow, SteadyLabel
+from procc_annotator.gui.window.status import IsolatedRow, SteadyLabel
 from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.translation import tr, tr_count, word
 
