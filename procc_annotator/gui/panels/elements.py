@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QFont, QResizeEvent
+from PySide6.QtGui import QBrush, QFont, QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QTreeWidget,
@@ -14,7 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.sampling import distances_from
+from procc_annotator.gui.canvas.finding_sign import finding_icon
 from procc_annotator.gui.keymap import NATIVE, element_keys, short_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
@@ -25,7 +27,7 @@ from procc_annotator.gui.panels.element_states import (
     symbol_icon,
     words_for,
 )
-from procc_annotator.gui.panels.finding_rows import FindingSigns
+from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
 from procc_annotator.gui.panels.widgets import (
     NARROW,
     Pages,
@@ -40,7 +42,6 @@ from procc_annotator.interaction.class_choice import match_rank
 from procc_annotator.translation import tr, word
 
 NAME, KEY, POINTS, STATUS = range(4)
-CHECK = POINTS  # a column of its own would take the room of the names
 _CLASS = Qt.ItemDataRole.UserRole
 _OTHER_GROUP = word("Without geometry")
 _UNKNOWN_GROUP = word("Unknown to the field (unknown classes)")
@@ -57,8 +58,7 @@ class ElementsPanel(QWidget):
         self._services = services
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
-        self._shown: dict[str, tuple[ElementState, int, bool]] = {}
-        self._findings = FindingSigns(services)
+        self._shown: dict[str, tuple[ElementState, int, bool, tuple[StoredFinding, ...]]] = {}
         self._narrow = False
         self._room: tuple[object, ...] = ()  # what the widths of the columns follow from
         self._shaded: str | None = None
@@ -138,7 +138,6 @@ class ElementsPanel(QWidget):
         keys = element_keys(field, self._services.state.keymap)
         self._keys = {name: key.toString(NATIVE) for name, key in keys.items()}
         self._short = short_titles(field)
-        self._findings.forget()
         listed = {e.name: e.group for e in field.elements}
         self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 
@@ -203,17 +202,20 @@ class ElementsPanel(QWidget):
         states = element_states(self._services)
         annotation = self._services.state.shown_annotation
         counts = {p.class_name: len(p.points) for p in annotation}
+        findings = findings_by_element(self._services)
         best = self._services.ghosts.suggestion
         following = None if best is None else best.name
         # Signalled cell by cell, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
         others: list[QTreeWidgetItem] = []
+        ratio = self.devicePixelRatioF()
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             if name == following:
                 state = ElementState.NEXT
-            shown = (state, counts.get(name, 0), self._narrow)
+            found = findings.get(name, ())
+            shown = (state, counts.get(name, 0), self._narrow, found)
             if self._shown.get(name) != shown:
                 self._shown[name] = shown
                 others.append(item)
@@ -221,17 +223,20 @@ class ElementsPanel(QWidget):
                 item.setText(STATUS, "" if self._narrow else words_for(state))
                 item.setToolTip(STATUS, tr(EXPLANATIONS[state]))
                 item.setIcon(STATUS, symbol_icon(state, self))
-        others += self._findings.show(self.tree, self._items, CHECK)
+                # Signs of findings: a column of their own would take the room of the names.
+                sign = finding_icon(found[0].finding.severity, ratio) if found else QIcon()
+                item.setIcon(POINTS, sign)
+                item.setToolTip(POINTS, reasons_of(found))
         model.blockSignals(False)
-        self._tell_view(others)
+        self._tell_view(others, bool(findings))
         self._show_selection()
 
-    def _tell_view(self, others: list[QTreeWidgetItem]) -> None:
+    def _tell_view(self, others: list[QTreeWidgetItem], signs: bool) -> None:
         """Have rows painted again, and the columns laid out if they need other room."""
-        most = max((count for _, count, _ in self._shown.values()), default=0)
-        states = {state for state, _, narrow in self._shown.values() if not narrow}
+        most = max((count for _, count, *_ in self._shown.values()), default=0)
+        states = {state for state, _, narrow, _ in self._shown.values() if not narrow}
         widest = max(map(self.fontMetrics().horizontalAdvance, map(words_for, states)), default=0)
-        room = len(str(most)), widest, self._narrow, self._findings.any_shown
+        room = len(str(most)), widest, self._narrow, signs
         if room != self._room:
             self._room = room
             self.tree.scheduleDelayedItemsLayout()
