@@ -160,28 +160,12 @@ class SaveState(QLabel):
         self.setFont(fixed_width(self.font()))
         self.setMargin(_SAVED_PAD)
         self.setBackgroundRole(QPalette.ColorRole.Window)  # not that of a tool bar
-        self._services, self._alarm = services, False
+        self._services = services
         store = services.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
-        services.saver.begun.connect(self._show)
-        services.saver.settled.connect(self._show)
+        for signal in (services.saver.begun, services.saver.settled):
+            signal.connect(self._show)
         self._show()
-
-    def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
-        """Show some words, with all of it in the tip."""
-        self.setToolTip(tip)
-        self.setText(text)
-        if alarm != self._alarm:
-            self._alarm = alarm
-            colours, font = QPalette(), self.font()
-            if alarm:
-                roles = (QPalette.ColorRole.Window, QPalette.ColorRole.WindowText)
-                for role, tone in zip(roles, alarm_colours(self.palette()), strict=True):
-                    colours.setColor(role, QColor(tone))
-            font.setBold(alarm)
-            self.setPalette(colours)
-            self.setFont(font)
-            self.setAutoFillBackground(alarm)
 
     def minimumSizeHint(self) -> QSize:
         """Room for the usual words, so that neighbours stay where they are."""
@@ -192,21 +176,34 @@ class SaveState(QLabel):
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
 
+    def set_saved(self, text: str, *, alarm: bool = False) -> None:
+        """Show some words; an alarm stands out."""
+        self.setText(text)
+        if alarm != self.autoFillBackground():
+            colours, font = QPalette(), self.font()
+            if alarm:
+                roles = (QPalette.ColorRole.Window, QPalette.ColorRole.WindowText)
+                for role, tone in zip(roles, alarm_colours(self.palette()), strict=True):
+                    colours.setColor(role, QColor(tone))
+            font.setBold(alarm)
+            self.setPalette(colours)
+            self.setFont(font)
+            self.setAutoFillBackground(alarm)
+
     def _show(self) -> None:
         saver = self._services.saver
         problems = saver.problems
+        self.setToolTip("\n".join(str(p) for p in problems.values()))
         if problems:
-            tip = "\n".join(str(p) for p in problems.values())
-            said = tr_count(len(problems), "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
-            self.set_saved(said, alarm=True, tip=tip)
+            count = len(problems)
+            said = tr_count(count, "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
         elif saver.under_way:
-            self.set_saved(tr("saving..."), alarm=False)
+            said = tr("saving...")
         elif saver.saved_at is not None:
-            self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
-        elif self._services.state.frame is not None:
-            self.set_saved(tr("no changes"), alarm=False)
+            said = tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}")
         else:
-            self.set_saved("", alarm=False)
+            said = tr("no changes") if self._services.state.frame is not None else ""
+        self.set_saved(said, alarm=bool(problems))
 
 
 _PAD = 5

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from itertools import pairwise
 
+import msgspec
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
@@ -50,9 +51,8 @@ WORKSPACES: Mapping[str, tuple[str, ...]] = {
     "judge": ("scores", "cameras", "fit", "plots"),
     "review": ("review", "agreement"),
 }
-_PLOTS = "plots"
-_BELOW = frozenset([_PLOTS])  # in a drawer below the picture, which is shut at first
-_LATER = frozenset(["agreement"])  # until there is a second annotator
+_PLOTS = "plots"  # in a drawer below the picture, which is shut at first
+_LATER = "agreement"  # shown once there is a second annotator
 _DRAWER_HEIGHT = 0.38  # of the window's height
 
 
@@ -136,7 +136,7 @@ class Workspaces(QObject):
             dock.hide()  # one above the other they would need more height than the window has
             window.addDockWidget(_area_of(name), dock)
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        in_tabs = [n for names in WORKSPACES.values() for n in names if n not in _BELOW]
+        in_tabs = [n for names in WORKSPACES.values() for n in names if n != _PLOTS]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
         self._looks = {workspace: _first_look(workspace) for workspace in WORKSPACES}
@@ -206,25 +206,24 @@ class Workspaces(QObject):
 
     def _resize_drawer(self, height: int = 0) -> None:
         """Have the drawer so high, px; 0: as it is at first."""
-        drawers = [d for name in _BELOW if not (d := self.by_name[name]).isHidden()]
-        height = height or round(_DRAWER_HEIGHT * self._window.height())
-        if drawers:
-            sizes = [height] * len(drawers)
-            self._window.resizeDocks(drawers, sizes, Qt.Orientation.Vertical)
+        drawer = self.by_name[_PLOTS]
+        if not drawer.isHidden():
+            height = height or round(_DRAWER_HEIGHT * self._window.height())
+            self._window.resizeDocks([drawer], [height], Qt.Orientation.Vertical)
 
     def _look(self) -> _Look:
         docks = self.by_name
         names = WORKSPACES[self.workspace]
         opened = tuple(name for name in names if not docks[name].isHidden())
-        in_tabs = [n for n in opened if n not in _BELOW]
+        in_tabs = [n for n in opened if n != _PLOTS]
         shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
         front = shown[0] if shown else (in_tabs or names)[0]
         field_map = docks["field_map"]
         height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
         width = docks[front].width() if opened and not docks[front].isFloating() else 0
         drawer = self._looks[self.workspace].drawer_height
-        for name in _BELOW & set(opened):
-            drawer = docks[name].height()
+        if _PLOTS in opened:
+            drawer = docks[_PLOTS].height()
         return _Look(opened, front, width, height, drawer)
 
     def show(self, name: str) -> None:
@@ -235,7 +234,7 @@ class Workspaces(QObject):
         workspace = next(found, self.workspace)
         if not dock.isFloating():
             self._turn_to(workspace)
-        opens = dock.isHidden() and name in _BELOW
+        opens = dock.isHidden() and name == _PLOTS
         dock.show()
         dock.raise_()
         if opens:
@@ -315,11 +314,11 @@ class Workspaces(QObject):
 
 def _first_look(workspace: str) -> _Look:
     names = WORKSPACES[workspace]
-    return _Look(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
+    return _Look(tuple(name for name in names if name not in (_LATER, _PLOTS)), names[0])
 
 
 def _area_of(name: str) -> Qt.DockWidgetArea:
-    if name in _BELOW:
+    if name == _PLOTS:
         return _BOTTOM
     return _LEFT if name == "frames" else _RIGHT
 
@@ -327,19 +326,13 @@ def _area_of(name: str) -> Qt.DockWidgetArea:
 def _look_of(workspace: str, kept: object) -> _Look | None:
     """Return a look as it was kept, without unknown docks; None if it cannot be read. A panel that
     waits for something to be opened is closed until then."""
-    if not isinstance(kept, dict) or not isinstance(kept.get("open"), list):
+    try:
+        look = msgspec.convert(kept, _Look)
+    except msgspec.ValidationError:
         return None
-    names = [n for n in WORKSPACES[workspace] if n in kept["open"] and n not in _LATER]
-    front = kept.get("front")
-    sizes = [kept.get(name) for name in ("width", "map_height", "drawer_height")]
-    width, height, drawer = (size if isinstance(size, int) else 0 for size in sizes)
-    return _Look(
-        tuple(names),
-        str(front) if front in names else (names or WORKSPACES[workspace])[0],
-        width,
-        height,
-        drawer,
-    )
+    names = [n for n in WORKSPACES[workspace] if n in look.open and n != _LATER]
+    front = look.front if look.front in names else (names or WORKSPACES[workspace])[0]
+    return replace(look, open=tuple(names), front=front)
 
 
 _TITLES = {
