@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -10,6 +10,7 @@ from typing import Literal
 from procc_annotator.batch.audit import FrameAudit, audit_frame
 from procc_annotator.batch.grouping import FrameOrder
 from procc_annotator.dataset.layout import FRAMES_FILE
+from procc_annotator.dataset.records import FrameRecord
 from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
@@ -56,6 +57,8 @@ class PlotRequest:
         titles: of the classes, by row of the field.
         blind: whether blind mode hides frames of the scope.
         order_file: the dataset's table of frames, if it has one.
+        shown: in blind mode what is known of each frame; of those that are not committed nothing
+            is plotted (`revealed`). None: all may be plotted.
     """
 
     sources: tuple[PlottedSource, ...]
@@ -68,6 +71,18 @@ class PlotRequest:
     titles: tuple[str, ...] = ()
     blind: bool = False
     order_file: Path | None = None
+    shown: Mapping[str, FrameRecord] | None = None
+
+    def revealed(self) -> PlotRequest:
+        """Return the request without the frames that blind mode hides, in any thread."""
+        if self.shown is None:
+            return self
+        committed = {name for name, record in self.shown.items() if record.committed}
+        sources = tuple(
+            replace(s, audits={n: a for n, a in s.audits.items() if n in committed})
+            for s in self.sources
+        )
+        return replace(self, sources=sources, shown=None)
 
     def order(self) -> tuple[FrameOrder | None, str]:
         """The dataset's table of frames, read anew (not on the interface's thread), and what is
@@ -98,9 +113,6 @@ class PlotRequest:
         return [source.audits[name] for name in self.frames if name in source.audits]
 
 
-Restrict = Callable[[PlotRequest], PlotRequest]
-
-
 class PlotSources:
     """Takes snapshots of the state that another thread may look at.
 
@@ -127,12 +139,8 @@ class PlotSources:
         """A number that is another one when the scope's data is."""
         return self.frame_version + self.set_version if scope == "frame" else self.set_version
 
-    def request(self, scope: Scope, class_row: int | None) -> tuple[PlotRequest, Restrict]:
-        """Return what to plot, and what takes out of it, in any thread, the frames that blind
-        mode hides.
-
-        The plots of one frame need nothing taken out any more.
-        """
+    def request(self, scope: Scope, class_row: int | None) -> PlotRequest:
+        """Return what to plot; of a set before the frames are left out that blind mode hides."""
         services = self._services
         sources = tuple(
             PlottedSource(
@@ -146,7 +154,11 @@ class PlotSources:
             for number, source in enumerate(services.state.sources)
             if source.visible or source.camera_set is services.state.active_cameras
         )
-        request = PlotRequest(
+        shown = None
+        if scope == "set" and services.state.blind:
+            database = services.review.database
+            shown = dict(database.records()) if database is not None else {}
+        return PlotRequest(
             sources,
             self._names,
             services.state.frame_index,
@@ -156,9 +168,9 @@ class PlotSources:
             services.state.setup.size,
             tuple(element_titles(services.state.field).values()),
             services.state.blind if scope == "set" else not services.state.projection_visible,
-            order_file=self._order_file,
+            self._order_file,
+            shown,
         )
-        return request, self._restriction(scope)
 
     def _of_frame(self, source: CameraSource) -> dict[str, FrameAudit]:
         """The audit of the frame on screen; of the active source as the clicks are right now."""
@@ -175,23 +187,6 @@ class PlotSources:
             found = audit_frame(frame.name, camera, "", measurement, services.state.tau)
         return {} if found is None else {frame.name: found}
 
-    def _restriction(self, scope: Scope) -> Restrict:
-        services = self._services
-        if scope == "frame" or not services.state.blind:
-            return _as_it_is
-        database = services.review.database
-        records = dict(database.records()) if database is not None else {}
-
-        def restrict(request: PlotRequest) -> PlotRequest:
-            committed = {name for name, record in records.items() if record.committed}
-            sources = tuple(
-                replace(s, audits={n: a for n, a in s.audits.items() if n in committed})
-                for s in request.sources
-            )
-            return replace(request, sources=sources)
-
-        return restrict
-
     def _take_dataset(self) -> None:
         workspace = self._services.state.workspace
         self._names = () if workspace is None else tuple(f.name for f in workspace.frames)
@@ -202,7 +197,3 @@ class PlotSources:
 
     def _change_frame(self) -> None:
         self.frame_version += 1
-
-
-def _as_it_is(request: PlotRequest) -> PlotRequest:
-    return request

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources
 from procc_annotator.gui.panels.plots.export import ExportablePlot
 from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.panels.widgets import choice, empty_state, hbox, make_label, named, vbox
@@ -217,7 +217,7 @@ class PlotsPanel(ExportablePlot):
         page = self.page
         self.scope.setVisible(len(page.scopes) > 1)
         self.classes.setVisible(page.by_class)
-        request, restrict = self._make_request(page)
+        request = self._make_request(page)
         key = self._key(page, request)
         if key == self._drawn:
             if self._request is not None:  # what is drawn, with another frame and tau
@@ -231,7 +231,7 @@ class PlotsPanel(ExportablePlot):
         if self._computing.running:
             self._again = True
             return
-        self._compute(page, key, request, restrict)
+        self._compute(page, key, request)
 
     def _why_empty(self) -> str:
         services = self._services
@@ -253,7 +253,7 @@ class PlotsPanel(ExportablePlot):
         self.more.setEnabled(False)
         self._stack.setCurrentWidget(self.empty)
 
-    def _make_request(self, page: PlotPage[Any]) -> tuple[PlotRequest, Restrict]:
+    def _make_request(self, page: PlotPage[Any]) -> PlotRequest:
         scope = self.scope.currentData()
         if scope not in page.scopes:
             scope = page.scopes[0]
@@ -272,15 +272,9 @@ class PlotsPanel(ExportablePlot):
             self._sources.version(request.scope),
         )
 
-    def _compute(
-        self,
-        page: PlotPage[Any],
-        key: tuple[object, ...],
-        request: PlotRequest,
-        restrict: Restrict,
-    ) -> None:
+    def _compute(self, page: PlotPage[Any], key: tuple[object, ...], request: PlotRequest) -> None:
         def work(control: JobControl) -> tuple[PlotRequest, Any]:
-            allowed = restrict(request)
+            allowed = request.revealed()
             return allowed, page.compute(allowed)
 
         def done(result: tuple[PlotRequest, Any]) -> None:
