@@ -302,7 +302,7 @@ class TestSource:
         for row in (0, 1):
             label = fitted.findChild(ElidedLabel, f"cameras_model_{row}")
             qtbot.waitUntil(lambda label=label: mark in label.toolTip())
-        request, _ = PlotSources(services).request("set", None)
+        request = PlotSources(services).request("set", None)
         assert all(source.fitted for source in request.sources)
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.05))
         arrive(fitted, qtbot)

@@ -147,31 +147,26 @@ class AgreementPanel(QWidget):
         self.empty.setVisible(not second.is_open)
         if not second.is_open:
             return
+        rows: list[_Row] = []
         if second.error:
-            self.frame.setText(
-                tr(
-                    "The second annotator's file for this frame is unreadable: {error}",
-                    error=second.error,
-                )
+            text = tr(
+                "The second annotator's file for this frame is unreadable: {error}",
+                error=second.error,
             )
-            self.rows.replace(())
-            return
-        if not services.state.projection_visible:
-            self.frame.setText(
-                tr("Hidden: blind mode shows the score once this frame is committed.")
-            )
-            self.rows.replace(())
-            return
-        found = second.agreement(services.state.shown_annotation, services.state.setup.size)
-        if found is None:
-            self.frame.setText(tr("The second annotator has nothing for this frame."))
-            self.rows.replace(())
-            return
-        self.frame.setText("\n".join(self._frame_lines(found)))
-        # What agrees least comes first.
-        ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
-        field = services.state.field
-        self.rows.replace([_row(entry, class_title(field, entry.class_name)) for entry in ranked])
+        elif not services.state.projection_visible:
+            text = tr("Hidden: blind mode shows the score once this frame is committed.")
+        elif (
+            found := second.agreement(services.state.shown_annotation, services.state.setup.size)
+        ) is None:
+            text = tr("The second annotator has nothing for this frame.")
+        else:
+            text = "\n".join(self._frame_lines(found))
+            # What agrees least comes first.
+            ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
+            field = services.state.field
+            rows = [_row(entry, class_title(field, entry.class_name)) for entry in ranked]
+        self.frame.setText(text)
+        self.rows.replace(rows)
 
     def _frame_lines(self, found: FrameAgreement) -> list[str]:
         services = self._services

@@ -10,6 +10,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter, QPalette, QPen, QPixmap
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.widgets import Index
 from procc_annotator.gui.state.services import Services
@@ -85,6 +86,26 @@ def element_states(services: Services) -> dict[str, ElementState]:
     for name in services.review.not_visible(frame.name) if frame is not None else ():
         states.setdefault(name, ElementState.NOT_VISIBLE)
     return states
+
+
+def fly_to_point(
+    services: Services, annotation: FrameAnnotation, class_name: str, point: int | None
+) -> bool:
+    """Choose an element, or one of its points, and show the point (None: the first one).
+
+    Returns:
+        Whether the annotation has a point of the element that can be shown.
+    """
+    if point is not None:
+        services.selection.select_point(class_name, point)
+    else:
+        services.selection.select_class(class_name)
+    polyline, size = annotation.get(class_name), services.state.picture_size
+    if polyline is None or not polyline.points or size is None:
+        return False
+    x, y = points_px(polyline, size)[point or 0].tolist()
+    services.store.events.flyTo.emit(x, y)
+    return True
 
 
 def class_title(field: Field, class_name: str) -> str:

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.assist.frame_analysis import FrameAnalysis
 from procc_annotator.calibration.result import (
     ILL_CONDITIONED_LIMITS,
@@ -28,7 +28,7 @@ from procc_annotator.calibration.result import (
 )
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.element_states import ElementState, class_title
+from procc_annotator.gui.panels.element_states import ElementState, class_title, fly_to_point
 from procc_annotator.gui.panels.widgets import (
     ElementRowsModel,
     ElementTable,
@@ -357,14 +357,9 @@ class FitPanel(QWidget):
         if polyline is None or not polyline.points:
             return
         # While new clicks are fitted the rows are those of the clicks before.
-        point = row.point if row.point is not None and row.point < len(polyline.points) else None
-        if point is not None:
-            services.selection.select_point(row.class_name, point)
-        else:
-            services.selection.select_class(row.class_name)
-        if services.state.picture_size is not None:
-            x, y = points_px(polyline, services.state.picture_size)[point or 0]
-            services.store.events.flyTo.emit(float(x), float(y))
+        stays = row.point is not None and row.point < len(polyline.points)
+        point = row.point if stays else None
+        fly_to_point(services, services.state.annotation, row.class_name, point)
 
 
 def _chosen_words(fit: FitResult) -> str:

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import FaultParty
 from procc_annotator.field.model import Field
@@ -27,6 +26,7 @@ from procc_annotator.gui.panels.element_states import (
     ElementState,
     TitleDelegate,
     class_title,
+    fly_to_point,
     symbol_icon,
     words_for,
 )
@@ -406,26 +406,18 @@ class ScoresPanel(QWidget):
 
     def _fly(self, at: int) -> None:
         row = self.model.rows[at]
-        element = row.element
-        if element.deciding_point is not None:
-            self._services.selection.select_point(row.class_name, element.deciding_point)
-        else:
-            self._services.selection.select_class(row.class_name)
-        target = self._target(row.class_name, element)
-        if target is not None:
-            self._services.store.events.flyTo.emit(*target)
+        element, services = row.element, self._services
+        annotation, point = services.state.shown_annotation, element.deciding_point
+        if not fly_to_point(services, annotation, row.class_name, point):
+            target = self._middle_of(element)
+            if target is not None:
+                services.store.events.flyTo.emit(*target)
 
-    def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
-        """Return where the verdict is decided, picture px: a point, or the middle of a
-        projection."""
-        size = self._services.state.picture_size
-        measurement = self._services.scorer.measurement
+    def _middle_of(self, element: ScoreExplanation) -> tuple[float, float] | None:
+        """Return the middle of an element's projection, px of the picture."""
+        size, measurement = self._services.state.picture_size, self._services.scorer.measurement
         if size is None or measurement is None:
             return None
-        polyline = self._services.state.shown_annotation.get(class_name)
-        if polyline is not None and polyline.points:
-            x, y = points_px(polyline, size)[element.deciding_point or 0]
-            return float(x), float(y)
         pieces = measurement.projected.pieces.get(element.name, ())
         if not pieces:
             return None
