@@ -211,7 +211,7 @@ class MainWindow(QMainWindow):
 
     def _make_panels(self) -> None:
         services = self.services
-        self.frames = FramesPanel(services, services.cache)
+        self.frames = FramesPanel(services)
         self.field_map = FieldMapPanel(services)
         self.elements = ElementsPanel(services)
         self.cameras = CamerasPanel(services)

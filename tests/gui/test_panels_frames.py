@@ -38,7 +38,7 @@ def services(qapp, frames) -> Iterator[Services]:
 
 @pytest.fixture
 def panel(qtbot, services) -> FramesPanel:
-    panel = FramesPanel(services, services.cache)
+    panel = FramesPanel(services)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
     with qtbot.waitExposed(panel):
@@ -130,7 +130,7 @@ def test_an_edit_is_counted(qtbot, panel, services):
 
 def test_without_frames_the_panel_says_what_to_do(qtbot, qapp):
     services = Services()
-    panel = FramesPanel(services, services.cache)
+    panel = FramesPanel(services)
     qtbot.addWidget(panel)
     panel.show()
     assert panel.empty.isVisible()
@@ -146,7 +146,7 @@ def test_of_twenty_thousand_frames_only_those_on_show_are_looked_at(
         (tmp_path / f"{i:05d}.png").hardlink_to(first)
     services = Services()
     assert services.opening.open_path(tmp_path)
-    panel = FramesPanel(services, services.cache)
+    panel = FramesPanel(services)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
     asked: set[int] = set()

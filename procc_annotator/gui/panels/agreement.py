@@ -10,7 +10,6 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QHeaderView,
-    QWidget,
 )
 
 from procc_annotator.annotation import FrameAnnotation
@@ -19,6 +18,7 @@ from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.widgets import (
     ElementRowsModel,
     ElementTable,
+    Panel,
     empty_state,
     make_button,
     make_label,
@@ -80,18 +80,14 @@ class _AgreementModel(ElementRowsModel[_Row]):
         return bold(QFont()) if row.apart else None
 
 
-class AgreementPanel(QWidget):
+class AgreementPanel(Panel):
     """Distances between two annotators in this frame, and over the set: the human noise floor."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("agreement_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "agreement_panel")
         self._measuring = LatestOnlyTask(self, self._say_of_set)
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (
                 s.workspace,
                 s.frame_index,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.formats.cameras.registry import format_titles, suffixes_of
 from procc_annotator.gui.panels.camera_sources import SourceList, colour_icon
 from procc_annotator.gui.panels.widgets import (
+    Panel,
     ScrolledContent,
     box_of,
     caption,
@@ -44,8 +45,8 @@ _FIGURES = ("minimum", "median", "maximum")
 class ComparingSection(QWidget):
     """Part of the cameras panel; there only while there is something to compare."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__()
         self._services = services
         self.other = choice(
             "cameras_compared",
@@ -155,25 +156,18 @@ OFF_PLANE_TITLES = {"missed": word("count as missed"), "left_out": word("are lef
 _SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
 
 
-class CamerasPanel(QWidget):
+class CamerasPanel(Panel):
     """Loaded sources with the active one marked; loading; comparing; protocol; what is wrong."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("cameras_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "cameras_panel", (300, 280))
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.looks, s.compared, s.blind),
             services.store.events.sourceAuditsChanged,
             services.source_frames.changed,
             services.disagreement.changed,
         )
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 280)
 
     # --- building ------------------------------------------------------------------------------
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt
 from PySide6.QtGui import QBrush, QFont, QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QTreeWidget,
     QTreeWidgetItem,
-    QWidget,
 )
 
 from procc_annotator.dataset.review import StoredFinding
@@ -31,6 +30,7 @@ from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons
 from procc_annotator.gui.panels.widgets import (
     NARROW,
     Pages,
+    Panel,
     named,
     search_line,
     vbox,
@@ -47,15 +47,11 @@ _OTHER_GROUP = word("Without geometry")
 _UNKNOWN_GROUP = word("Unknown to the field (unknown classes)")
 
 
-class ElementsPanel(QWidget):
+class ElementsPanel(Panel):
     """Every class of the field, and those of the file that the field does not know."""
 
-    left = Signal()  # the search was finished or given up: the keyboard belongs to the canvas again
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("elements_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "elements_panel", (300, 320))
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
         self._shown: dict[str, tuple[ElementState, int, bool, tuple[StoredFinding, ...]]] = {}
@@ -64,9 +60,7 @@ class ElementsPanel(QWidget):
         self._shaded: str | None = None
         self._build()
         self._fill()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.selection),
             services.label_check.changed,
             services.ghosts.changed,
@@ -79,9 +73,6 @@ class ElementsPanel(QWidget):
         """Put the keyboard into the search box, its text ready to be replaced."""
         self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.search.selectAll()
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 320)
 
     # --- building ------------------------------------------------------------------------------
 

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QProgressBar,
     QPushButton,
     QToolButton,
-    QWidget,
 )
 
 from procc_annotator.calibration.label_check.finding import Remedy, Severity
@@ -29,6 +28,7 @@ from procc_annotator.gui.panels.finding_rows import (
 )
 from procc_annotator.gui.panels.widgets import (
     Pages,
+    Panel,
     hbox,
     make_button,
     named,
@@ -150,19 +150,16 @@ class _Commands(Protocol):
     def ask_export(self) -> None: ...
 
 
-class FindingsPanel(QWidget):
+class FindingsPanel(Panel):
     """Displays `services.label_check`; commands do what the user asks for."""
 
     def __init__(self, services: Services, commands: _Commands) -> None:
-        super().__init__()
-        self.setObjectName("findings_panel")
-        self._services, self._commands = services, commands
+        super().__init__(services, "findings_panel", (300, 320))
+        self._commands = commands
         self._check = services.label_check
         self._following = False
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
             self._check.changed,
             self._check.framesChanged,
@@ -171,9 +168,6 @@ class FindingsPanel(QWidget):
         )
         self._check.progressed.connect(self._show_progress)
         self._refresh()
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 320)
 
     # --- building -------------------------------------------------------------------------
 

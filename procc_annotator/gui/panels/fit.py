@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QAction, QFont
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -33,6 +33,7 @@ from procc_annotator.gui.panels.widgets import (
     ElementRowsModel,
     ElementTable,
     Pages,
+    Panel,
     ScrolledContent,
     box_of,
     caption,
@@ -169,28 +170,21 @@ MODEL_WORDS = {
 _GREY_AFTER_MS = 100  # most fits are there by then
 
 
-class FitPanel(QWidget):
+class FitPanel(Panel):
     """Displays the live fit; a click on an element flies to its worst point."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("fit_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "fit_panel", (300, 360))
         self._shown: FrameAnalysis | None = None
         self._frame: str | None = None
         self._opinion = CachedScore()
         self._build()
         self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
         self._slow.timeout.connect(self._say_working)
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
             services.live_fit.changed,
         )
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 360)
 
     # --- building ------------------------------------------------------------------------------
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
     QTableView,
-    QWidget,
 )
 
 from procc_annotator.dataset.filter_query import QUERY_HELP, FrameFacts, FrameQuery, parse_query
@@ -23,6 +22,7 @@ from procc_annotator.gui.panels.frame_delegate import FrameDelegate
 from procc_annotator.gui.panels.frame_rows import FramesModel
 from procc_annotator.gui.panels.widgets import (
     Pages,
+    Panel,
     list_rows,
     make_label,
     named,
@@ -35,7 +35,6 @@ from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, after_paint
 from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
 from procc_annotator.gui.state.services import Services
-from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
 
 _MANY = 500  # frames that are asked on the interface thread at most
@@ -156,18 +155,12 @@ _FOLD_KEYS = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right})
 _TURN_KEYS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space})
 
 
-class FramesPanel(QWidget):
+class FramesPanel(Panel):
     """The list of frames with a filter; the frame on screen is highlighted and kept in view."""
 
-    left = Signal()  # a frame was chosen: the keyboard belongs to the canvas again
-
-    def __init__(
-        self, services: Services, cache: FrameCache, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
-        self.setObjectName("frames_panel")
-        self._services = services
-        self.model = FramesModel(services, cache)
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "frames_panel", (240, 480))
+        self.model = FramesModel(services, services.cache)
         self.model.setParent(self)
         self.frame_filter = FrameFilter(services, self)
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
@@ -190,9 +183,6 @@ class FramesPanel(QWidget):
         services.label_check.framesChanged.connect(self._take_status)
         self.model.figures.changed.connect(self.list.viewport().update)
         self._take_dataset()
-
-    def sizeHint(self) -> QSize:
-        return QSize(240, 480)
 
     def focus_filter(self) -> None:
         """Put the keyboard into the filter box."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, SignalInstance
+from PySide6.QtCore import QSignalBlocker, Qt, SignalInstance
 from PySide6.QtGui import QAction, QColor, QIcon, QPalette, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -18,13 +18,13 @@ from PySide6.QtWidgets import (
     QPushButton,
     QTreeWidget,
     QTreeWidgetItem,
-    QWidget,
 )
 
 from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.widgets import (
     LEFT_BY_ESCAPE,
+    Panel,
     empty_state,
     hbox,
     make_button,
@@ -54,19 +54,13 @@ _LOST = word("Its place cannot be brought back with undo. Clicks on it stay in t
 _SWATCH = 12
 
 
-class LandmarksPanel(QWidget):
+class LandmarksPanel(Panel):
     """Lists the landmarks; adds, places, names, triangulates and forgets them."""
 
-    left = Signal()  # the keyboard belongs to the canvas again
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("landmarks_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "landmarks_panel")
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (s.workspace, s.frame_index, s.annotation, s.field, s.selection),
             services.landmarks.changed,
         )

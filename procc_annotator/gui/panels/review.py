@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QWidget,
 )
 
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.widgets import (
+    Panel,
     hbox,
     make_button,
     make_label,
@@ -49,15 +49,11 @@ class CommentList(QListWidget):
     its name."""
 
 
-class ReviewPanel(QWidget):
+class ReviewPanel(Panel):
     """Shows and changes what the workspace's database knows about the frame on screen."""
 
-    left = Signal()  # the keyboard belongs to the canvas again
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("review_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "review_panel")
         self._shown: tuple[Comment, ...] = ()
         self._build()
         self._typed: dict[str, str] = {}  # comments under way, by frame
@@ -65,9 +61,7 @@ class ReviewPanel(QWidget):
         services.store.watch(select.dataset, self._begin_dataset)
         services.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (s.workspace, s.frame_index, s.annotation),
             services.review.statusChanged,
             services.review.originsChanged,

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, Qt
 from PySide6.QtGui import QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -36,6 +36,7 @@ from procc_annotator.gui.panels.widgets import (
     ElementTable,
     Index,
     Pages,
+    Panel,
     ScrolledContent,
     hbox,
     make_label,
@@ -143,8 +144,8 @@ _KEYS = {FaultParty.CAMERA: "F7", FaultParty.ANNOTATION: "F8", FaultParty.FINE: 
 class VerdictRow(QWidget):
     """Shows the verdict on the frame under the active source; a click asks the window to mark."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__()
         self._services = services
         self.buttons: dict[FaultParty, QToolButton] = {}
         tip = tr("Whose fault the score of this frame is; kept with the dataset")
@@ -195,26 +196,19 @@ _FIGURES = (
 )
 
 
-class ScoresPanel(QWidget):
+class ScoresPanel(Panel):
     """Displays the state's score; a click on an element flies to the point that decides."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("scores_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "scores_panel", (300, 360))
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.selection, s.noise_floor, s.look_of(s.active)),
             services.review.statusChanged,
             services.source_frames.changed,
         )
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 360)
 
     # --- building ------------------------------------------------------------------------------
 

@@ -42,6 +42,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.state.background import after_paint
+from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import State
 from procc_annotator.translation import tr
 
 ROW, SEARCHED = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
@@ -341,6 +343,35 @@ def make_button(
 _LINE_KEYS = frozenset(
     {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
 )
+
+
+class Panel(QWidget):
+    """A panel of the window, which is updated while it can be seen."""
+
+    left = Signal()  # the keyboard belongs to the canvas again
+
+    def __init__(self, services: Services, name: str, size: tuple[int, int] | None = None) -> None:
+        """
+        Args:
+            services: what it shows and changes.
+            name: the object name.
+            size: px that it asks for; None: what its content asks for.
+        """
+        super().__init__()
+        self.setObjectName(name)
+        self._services, self._size = services, size
+
+    def sizeHint(self) -> QSize:
+        return super().sizeHint() if self._size is None else QSize(*self._size)
+
+    def _follow(self, select: Callable[[State], object], *signals: SignalInstance) -> None:
+        """Refresh after a paint whenever a selection of the state has changed, and after signals of
+        what is no part of the state."""
+        self._refresher = self._services.store.watch_visible(self, self._refresh, select, *signals)
+
+    def _refresh(self) -> None:
+        """Show what is to be seen now."""
+        raise NotImplementedError
 
 
 class KeyLine(QLineEdit):

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
     QStyleOptionToolButton,
     QToolBar,
     QToolButton,
-    QWidget,
     QWidgetAction,
 )
 
@@ -45,8 +44,8 @@ class IconButton(QToolButton):
     It is filled while it is on, with a bar at its left edge: colour is not the only sign.
     """
 
-    def __init__(self, icon: str, parent: QWidget | None = None, *, with_key: bool = False) -> None:
-        super().__init__(parent)
+    def __init__(self, icon: str, *, with_key: bool = False) -> None:
+        super().__init__()
         self._icon, self._with_key, self._key = icon, with_key, ""
         self._hint: QSize | None = None  # asked for hundreds of times whenever a window is laid out
         self._called_by: list[QKeySequence] = []

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QPen,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolTip
 
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.dataset.review import StoredFinding
@@ -43,6 +43,7 @@ from procc_annotator.gui.panels.field_map.painting import (
     part_to_show,
 )
 from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
+from procc_annotator.gui.panels.widgets import Panel
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import give_role, muted
@@ -71,28 +72,24 @@ _WAYS = {
 }
 
 
-class FieldMapPanel(QWidget):
+class FieldMapPanel(Panel):
     """Displays the state's field, annotation, score, selection and hover; clicks select."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "field_map_panel", (300, 220))
         give_role(self, QAccessible.Role.Canvas)
-        self.setObjectName("field_map_panel")
         self.setAccessibleName(tr("Field map"))
         self.setAccessibleDescription(tr("The arrows choose elements"))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self._services = services
         self._shape = FieldShape.of(services.state.field)
         self._states: dict[str, ElementState] = {}
         self._next: AnnotationSuggestion | None = None
         self._findings: Mapping[str, tuple[StoredFinding, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             judged,
             services.review.notVisibleChanged,
             services.label_check.changed,
@@ -109,9 +106,6 @@ class FieldMapPanel(QWidget):
         )
         services.store.watch(lambda s: s.field, self._take_field)
         services.field_choice.preparing.append(FieldShape.of)
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 220)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(160, 120)

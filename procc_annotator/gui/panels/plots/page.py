@@ -51,8 +51,8 @@ _SYMBOL = 8.0  # logical px
 class Legend(QWidget):
     """The sources' names next to their lines and symbols, wrapped to the width there is."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("plots_legend")
         self._sources: tuple[tuple[PlottedSource, str], ...] = ()
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, Protocol
 
-from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QSizePolicy,
     QStackedWidget,
     QToolButton,
-    QWidget,
 )
 
 from procc_annotator.field.landmarks import element_titles
@@ -52,9 +51,8 @@ def _kinds() -> tuple[_Kind, ...]:
 class PlotsPanel(ExportablePlot):
     """Chooses a plot and what it is of; what it shows is computed in the background for a set."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(services, parent)
-        self.setObjectName("plots_panel")
+    def __init__(self, services: Services) -> None:
+        super().__init__(services)
         self._sources = PlotSources(services)
         self._kinds: tuple[_Kind, ...] = ()
         self._made: dict[_Kind, PlotPage[Any]] = {}
@@ -64,16 +62,11 @@ class PlotsPanel(ExportablePlot):
         self._drawn: tuple[object, ...] | None = None
         self._in_sight = False
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
             services.store.events.sourceAuditsChanged,
             services.review.statusChanged,
         )
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 360)
 
     # --- building -------------------------------------------------------------------------
 
