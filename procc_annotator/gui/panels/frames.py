@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -40,19 +40,25 @@ from procc_annotator.translation import tr, tr_count
 _MANY = 500  # frames that are asked on the interface thread at most
 
 
-class FrameFilter(QObject):
+class FrameFilter:
     """Turns the filter's text into the indices of matching frames; None means all of them."""
 
-    found = Signal(object)  # list[int] | None
-    problem = Signal(str)  # what is wrong with the text, or still missing; "" when nothing is
-
-    def __init__(self, services: Services, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._services = services
+    def __init__(
+        self,
+        services: Services,
+        owner: QObject,
+        found: Callable[[list[int] | None], object],
+        problem: Callable[[str], None],
+    ) -> None:
+        """``problem`` receives what is wrong with the text, or still missing; "" for nothing."""
+        self._services, self._found, self._problem = services, found, problem
         self._text = ""
         self._query = parse_query("", services.state.field)
-        services.store.watch(select.field, lambda: self.set_text(self._text))
-        self._searching = LatestOnlyTask(self, self.problem.emit)
+        services.store.watch(select.field, self._read_again)
+        self._searching = LatestOnlyTask(owner, problem)
+
+    def _read_again(self) -> None:
+        self.set_text(self._text)
 
     @property
     def depends_on_work(self) -> bool:
@@ -65,10 +71,10 @@ class FrameFilter(QObject):
         try:
             query = parse_query(text, self._services.state.field)
         except UsageError as error:
-            self.problem.emit(str(error))
+            self._problem(str(error))
             return
         self._query = query
-        self.problem.emit(query.incomplete)
+        self._problem(query.incomplete)
         self.search()
 
     def search(self) -> None:
@@ -76,17 +82,17 @@ class FrameFilter(QObject):
         self._searching.cancel()
         workspace = self._services.state.workspace
         if workspace is None or self._query.is_empty:
-            self.found.emit(None)
+            self._found(None)
             return
         query, ask = self._query, self._asker(workspace)
         if len(workspace.frames) <= _MANY and not query.needs_annotation:
-            self.found.emit(_matching(query, ask, len(workspace.frames), None))
+            self._found(_matching(query, ask, len(workspace.frames), None))
             return
 
         def work(control: JobControl) -> list[int]:
             return _matching(query, ask, len(workspace.frames), control)
 
-        self._searching.start(work, self.found.emit)
+        self._searching.start(work, self._found)
 
     def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
         """Return what is known of each frame, from values that another thread may look at."""
@@ -162,12 +168,10 @@ class FramesPanel(Panel):
         super().__init__(services, "frames_panel", (240, 480))
         self.model = FramesModel(services, services.cache)
         self.model.setParent(self)
-        self.frame_filter = FrameFilter(services, self)
+        self.frame_filter = FrameFilter(services, self, self._take_found, self._show_problem)
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
-        self.frame_filter.found.connect(self._take_found)
-        self.frame_filter.problem.connect(lambda text: show_note(self.problem, text))
         services.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = after_paint(self, self._follow_frames)
@@ -232,6 +236,9 @@ class FramesPanel(Panel):
         self.model.show_only(rows)
         self._show_which()
         self._show_current()
+
+    def _show_problem(self, text: str) -> None:
+        show_note(self.problem, text)
 
     def _search(self) -> None:
         if self.frame_filter.depends_on_work:

@@ -17,6 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.field.model import Element
+from procc_annotator.gui.actions import ActionSpec
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.panels.widgets import hbox, make_label, named, search_line, vbox
 from procc_annotator.gui.settings import KEYS
@@ -205,8 +207,7 @@ class Commands:
     def show_settings(self, key: str = "") -> None:
         """Open the dialog of settings, at one of them if it is named."""
         if self._dialog is None:
-            self._dialog = SettingsDialog(self._options, self._window)
-            self._dialog.keysWanted.connect(self.change_keys)
+            self._dialog = SettingsDialog(self._options, self.change_keys, self._window)
         self._dialog.open_at(key)
 
     def show_guide(self) -> None:
@@ -218,22 +219,15 @@ class Commands:
             return
         if self._guide is None:
             self._guide = Guide(folder, self._window)
-        self._guide.show()
-        self._guide.raise_()
-        self._guide.activateWindow()
+        _bring_up(self._guide)
 
     def show_keys(self) -> None:
         """Open the sheet of keys."""
         if self._sheet is None:
-            self._sheet = KeySheet(
-                self._services.state.field, self._services.state.keymap, self._window
-            )
-            self._sheet.actionCalled.connect(self._call)
-            self._sheet.elementCalled.connect(self._services.selection.select_class)
+            state = self._services.state
+            self._sheet = KeySheet(state.field, state.keymap, self._call, self._window)
         self._fill_sheet()
-        self._sheet.show()
-        self._sheet.raise_()
-        self._sheet.activateWindow()
+        _bring_up(self._sheet)
 
     def _fill_sheet(self) -> None:
         if self._sheet is not None:
@@ -247,8 +241,11 @@ class Commands:
             self._options.change(KEYS, dialog.keymap)
         dialog.deleteLater()
 
-    def _call(self, name: str) -> None:
-        action = self._window.findChild(QAction, f"action_{name}")
+    def _call(self, called: ActionSpec | Element) -> None:
+        if isinstance(called, Element):
+            self._services.selection.select_class(called.name)
+            return
+        action = self._window.findChild(QAction, f"action_{called.name}")
         assert isinstance(action, QAction)
         action.trigger()
 
@@ -260,3 +257,9 @@ class Commands:
             tr("ProCC Annotator {version}\nAnnotate and audit sports-camera calibrations.",
                version=__version__),
         )  # fmt: skip
+
+
+def _bring_up(dialog: QDialog) -> None:
+    dialog.show()
+    dialog.raise_()
+    dialog.activateWindow()

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal, Slot
+from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QComboBox,
@@ -154,11 +155,15 @@ class KeyTable(QTableView):
 class KeySheet(QDialog):
     """All keys, with a search; a click on a row or Enter calls it, Esc closes the dialog."""
 
-    actionCalled = Signal(str)
-    elementCalled = Signal(str)
-
-    def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
+    def __init__(
+        self,
+        field: Field,
+        keymap: Keymap,
+        call: Callable[[ActionSpec | Element], object],
+        parent: QWidget,
+    ) -> None:
         super().__init__(parent)
+        self._do = call
         self.setObjectName("keySheet")
         self.setWindowTitle(tr("Keys"))
         words = tr("Search: a word, or a key. A click does what a row says.")
@@ -195,8 +200,7 @@ class KeySheet(QDialog):
         called = self.table.row_at(index).called
         if called is not None:
             self.close()  # first: what is called may ask something itself
-            signal = self.actionCalled if isinstance(called, ActionSpec) else self.elementCalled
-            signal.emit(called.name)
+            self._do(called)
 
     def _call_only(self) -> None:
         """Enter calls what alone is found."""

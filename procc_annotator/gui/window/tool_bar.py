@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QActionEvent,
@@ -210,8 +210,6 @@ _HELD = {"pan": "Space"}  # not shown
 class SideToolBar(QToolBar):
     """Buttons of the table of actions, one below the other, and of how the picture looks."""
 
-    lookChanged = Signal(object)  # how pictures are to be shown
-
     def __init__(self, actions: Actions) -> None:
         super().__init__(tr("Rail"))
         self.setObjectName("rail")
@@ -247,7 +245,6 @@ class SideToolBar(QToolBar):
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""
         self.looks = AdjustmentControls()
-        self.looks.lookChanged.connect(self.lookChanged)
         menu = QMenu(self)
         action = QWidgetAction(menu)
         action.setDefaultWidget(self.looks)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QApplication,
@@ -292,9 +292,9 @@ class SettingRow(QWidget):
 class SettingsDialog(QDialog):
     """Stays open next to the window; what is changed holds at once."""
 
-    keysWanted = Signal()
-
-    def __init__(self, options: BoundSettings, parent: QWidget) -> None:
+    def __init__(
+        self, options: BoundSettings, change_keys: Callable[[], object], parent: QWidget
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("settingsDialog")
         self.setWindowTitle(tr("Settings"))
@@ -304,7 +304,7 @@ class SettingsDialog(QDialog):
         self._heads: dict[str, QLabel] = {}
         self._area = self._make_area()
         self._pages = Pages(self._area, "settingsNothing")
-        vbox(self.search, (self._pages, 1), self._make_buttons(), of=self)
+        vbox(self.search, (self._pages, 1), self._make_buttons(change_keys), of=self)
         self.resize(_DIALOG_SIZE.boundedTo(parent.window().size() - QSize(_MARGIN, _MARGIN)))
 
     def _make_area(self) -> QScrollArea:
@@ -323,11 +323,11 @@ class SettingsDialog(QDialog):
         area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         return area
 
-    def _make_buttons(self) -> QDialogButtonBox:
+    def _make_buttons(self, change_keys: Callable[[], object]) -> QDialogButtonBox:
         box = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         reset = QDialogButtonBox.ButtonRole.ResetRole
         self.all_back = make_button(tr("All to their defaults"), self._take_all_back)
-        for button in (self.all_back, make_button(tr("Change keys…"), self.keysWanted)):
+        for button in (self.all_back, make_button(tr("Change keys…"), change_keys)):
             box.addButton(button, reset)
         for made in box.findChildren(QPushButton):
             made.setAutoDefault(False)

@@ -20,6 +20,7 @@ from procc_annotator.batch.audit import (
 from procc_annotator.batch.frame_sums import AuditBand, mean_band
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.panels.plots.page import PlotPage, symbol_of
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.translation import tr, word
 
@@ -43,14 +44,15 @@ class TauPage(PlotPage[JacCurves]):
 
     title = word("JaC over tau")
 
-    def __init__(self) -> None:
-        super().__init__("plot_tau")
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "plot_tau")
         self.item = self.add_plot(0, tr("tau (px)"), "JaC", movable=False)
         self.item.setXRange(0, MAX_TAU, padding=0.01)
         self.item.setYRange(0, 1, padding=0.04)
         self.line = self.pg.InfiniteLine(angle=90, movable=True, bounds=(MIN_TAU, MAX_TAU))
         self.line.setZValue(10)
-        self.line.sigDragged.connect(lambda line: self.tauChosen.emit(float(line.value())))
+        set_tau = services.evaluation.set_tau
+        self.line.sigDragged.connect(lambda line: set_tau(float(line.value())))
         self.item.addItem(self.line)
         self.restyle()
 
@@ -136,8 +138,8 @@ class TimelinePage(PlotPage[Timelines]):
     scopes: tuple[Scope, ...] = ("set",)
     follows_tau = True
 
-    def __init__(self) -> None:
-        super().__init__("plot_timeline")
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "plot_timeline")
         self.item = self.add_plot(0, tr("frame"), "JaC")
         self.item.setMouseEnabled(x=True, y=False)
         self.item.disableAutoRange()
@@ -264,7 +266,7 @@ class TimelinePage(PlotPage[Timelines]):
             index = self.frame_at(event.scenePos())
             if index >= 0:
                 event.accept()
-                self.frameChosen.emit(index)
+                self.services.navigator.go_to(index)
 
 
 def _nothing(request: PlotRequest) -> str:

@@ -23,6 +23,7 @@ from procc_annotator.batch.audit import (
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.panels.widgets import hbox, named
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.translation import tr, tr_count, word
 
@@ -41,8 +42,8 @@ class HistogramPage(PlotPage[ErrorBars]):
     title = word("Errors, as a histogram")
     by_class = True
 
-    def __init__(self) -> None:
-        super().__init__("plot_histogram")
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "plot_histogram")
         self.item = self.add_plot(0, tr("reprojection error (px)"), tr("points"), movable=False)
 
     @staticmethod
@@ -185,8 +186,8 @@ class VectorsPage(PlotPage[Vectors]):
     title = word("Residuals over the picture")
     by_class = True
 
-    def __init__(self) -> None:
-        super().__init__("plot_vectors")
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "plot_vectors")
         self.item = self.add_plot(0, "x (px)", "y (px)")
         self.item.setAspectLocked(True)
         self.item.invertY(True)

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from procc_annotator.batch.audit import FloatArray, PlotData
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.panels.widgets import Pages, vbox
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import follow_theme, muted, readable
 from procc_annotator.translation import tr
 
@@ -206,13 +207,12 @@ class PlotPage(QWidget, Generic[D]):
 
     shown: tuple[D, PlotRequest] | None = None  # what is drawn, and what it is of
 
-    tauChosen = Signal(float)
-    frameChosen = Signal(int)
     readout = Signal(str)  # what is under the cursor; empty when nothing is
     changed = Signal()  # an option of the page: draw it again
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, services: Services, name: str) -> None:
         super().__init__()
+        self.services = services
         import pyqtgraph as pg  # see the module's docstring
 
         self.pg = pg

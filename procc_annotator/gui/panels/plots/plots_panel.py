@@ -37,7 +37,7 @@ class _Kind(Protocol):
 
     title: str
 
-    def __call__(self) -> PlotPage[Any]: ...
+    def __call__(self, services: Services) -> PlotPage[Any]: ...
 
 
 def _kinds() -> tuple[_Kind, ...]:
@@ -165,9 +165,7 @@ class PlotsPanel(ExportablePlot):
         """The chosen plot; made (and pyqtgraph imported) when it is first asked for."""
         page = self._made.get(self._kind)
         if page is None:
-            page = self._made[self._kind] = self._kind()
-            page.tauChosen.connect(self._services.evaluation.set_tau)
-            page.frameChosen.connect(self._services.navigator.go_to)
+            page = self._made[self._kind] = self._kind(self._services)
             page.readout.connect(self._read_out)
             page.changed.connect(self._redraw)
             self._stack.addWidget(page)
