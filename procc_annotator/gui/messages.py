@@ -22,9 +22,11 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.dataset.frames import Frame
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.background import JobControl, run_in_background
-from procc_annotator.gui.state.messages import Message, Notice
+from procc_annotator.gui.state.messages import Message
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import Notice
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
 
@@ -33,8 +35,8 @@ T = TypeVar("T")
 
 def opened_frame(services: Services) -> Frame | None:
     """The frame on screen; if there is none it is said what to do."""
-    if services.state.frame is None:
-        services.say(tr("open a folder of pictures first"), "warning")
+    if why := no_frame(services.state):
+        services.say(why, "warning")
     return services.state.frame
 
 
@@ -87,14 +89,6 @@ def write(
         on_progress=progress,
         owner=services if owner is None else owner,
     )
-
-
-def as_sentence(text: str) -> str:
-    """With a capital and a full stop; a path stays as it is written."""
-    first = text.split(" ", 1)[0]
-    if "/" not in first and "\\" not in first and ":" not in first[:-1] and "." not in first:
-        text = f"{text[:1].upper()}{text[1:]}"
-    return tr("{text}.", text=text) if text else ""
 
 
 class Bar(QWidget):

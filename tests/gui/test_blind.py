@@ -202,7 +202,7 @@ class Look:
         dialog = self.window.field_dimensions.dialog
         dialog.estimate_button.click()
         self.qtbot.waitUntil(
-            lambda: bool(dialog.found.text()) and not dialog._running, timeout=60_000
+            lambda: bool(dialog.found.text()) and dialog.bar.isHidden(), timeout=60_000
         )
         said = dialog.found.text()
         dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel).click()

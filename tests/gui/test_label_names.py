@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.commands.files.exchange_dialogs import LabelDialog
+from procc_annotator.gui.commands.exchange_dialogs import LabelDialog
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import until_kept
 

@@ -120,8 +120,8 @@ def test_a_landmark_shows_its_uncertainty_in_the_other_views(seen, match, qtbot)
     assert seen.services.camera_sources.load_cameras(match / "cameras")
     for frame in (LEFT, CLOSE):
         seen.services.navigator.go_to(frame)
-        qtbot.waitUntil(lambda: len(seen.services.landmarks.ellipses) == 1)
-        (shown,) = seen.services.landmarks.ellipses
+        qtbot.waitUntil(lambda: len(seen.services.landmarks.ellipses.value or ()) == 1)
+        (shown,) = seen.services.landmarks.ellipses.value
         drawn = seen.canvas.overlay_item.overlay.strokes
         assert any(stroke.colour == shown.colour and stroke.dash for stroke in drawn)
     assert shown.ellipse.semi_axes_px[0] > 8  # the close-up shows a decimetre as many pixels
@@ -129,7 +129,7 @@ def test_a_landmark_shows_its_uncertainty_in_the_other_views(seen, match, qtbot)
     click_px = np.array([clicked.points[0].u * 959, clicked.points[0].v * 539])
     assert np.hypot(*(shown.ellipse.centre_px - click_px)) < 20
     seen.services.blind_lock.set_blind(True)
-    assert seen.services.landmarks.ellipses == ()
+    assert not seen.services.landmarks.ellipses.value
 
 
 def test_the_other_views_are_a_click_away(seen, qtbot):

@@ -518,7 +518,7 @@ class TestPanel:
         assert panel.empty.isVisible()
         assert not panel.save.isEnabled()
         services.blind_lock.set_blind(True)
-        qtbot.waitUntil(lambda: panel.empty.text().startswith("Hidden"))
+        qtbot.waitUntil(lambda: panel.empty.text().startswith("Blind"))
         services.blind_lock.set_blind(False)
         panel.on.click()
         qtbot.waitUntil(lambda: panel.empty.text().startswith("The live fit is off"))
@@ -568,7 +568,7 @@ class TestSaving:
         assert path.exists()
         services = window.services
         services.camera_sources.load_cameras(path.parent)
-        assert services.verdicts.place(services.state.sources[0]).endswith(":cameras/fitted")
+        assert services.review.place(services.state.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(self, fitted, annotated, qtbot):
         services = fitted.services

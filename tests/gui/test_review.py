@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.records import OriginKind, Status
-from procc_annotator.gui.commands.review.versions import apply_version
+from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.report.window_tables import overview_rows
 from tests.gui.conftest import all_done, until_kept
@@ -228,7 +228,7 @@ class TestTime:
         self, window, hand, monkeypatch, qtbot
     ):
         services, now = window.services, [1000.0]
-        monkeypatch.setattr(services.review, "_clock", lambda: now[0])
+        monkeypatch.setattr("procc_annotator.gui.state.review_state.monotonic", lambda: now[0])
         services.navigator.go_to(1)
         now[0] += 12.0
         hand.draw(MIDDLE, (100, 100), (200, 200))

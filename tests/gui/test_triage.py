@@ -52,7 +52,7 @@ def source_of(services: Services, name: str) -> CameraSource:
 
 
 def verdict_on(services: Services, frame: str, name: str) -> Verdict | None:
-    return services.verdicts.verdict(frame, source_of(services, name))
+    return services.review.verdict(frame, source_of(services, name))
 
 
 def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
@@ -194,7 +194,7 @@ class TestVerdicts:
         window.services.navigator.go_to(2)
         press(window, Qt.Key.Key_F9)
         services = window.services
-        services.verdicts.set_verdict(
+        services.review.set_verdict(
             "00003", source_of(services, "bad"), FaultParty.FINE, "as sharp as it gets"
         )
         jac = window.services.scoring.frame_scores["00003"]

@@ -11,7 +11,7 @@ import pytest
 
 from procc_annotator.annotation import Point, Polyline
 from procc_annotator.calibration.label_check.finding import Remedy, RemedyKind
-from procc_annotator.gui.commands.review.versions import apply_version
+from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import Hand, heard, until_kept
 

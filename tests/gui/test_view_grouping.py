@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.landmarks.view_groups import load_views
-from procc_annotator.gui.commands.field.view_grouping import ViewDialog
+from procc_annotator.gui.commands.view_grouping import ViewDialog
 from procc_annotator.gui.main_window import MainWindow
 
 NAMES = ("17_left", "17_right", "18_left", "18_right", "poster")
@@ -103,7 +103,7 @@ def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(window, qtbot)
 def test_another_file_is_not_written_over_unasked(window, folder, qtbot, monkeypatch):
     answers = [False, True]
     monkeypatch.setattr(
-        "procc_annotator.gui.commands.field.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
+        "procc_annotator.gui.commands.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
     )
     path = folder / "views.csv"
     path.write_text("frame,instant\n17_left,1\n18_left,1\n")

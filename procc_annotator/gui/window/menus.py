@@ -18,9 +18,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.commands.elements.element_edits import ElementEdits
-from procc_annotator.gui.commands.elements.ghosts import GhostCommands
-from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.element_edits import ElementEdits
+from procc_annotator.gui.commands.ghosts import GhostCommands
+from procc_annotator.gui.commands.label_check import LabelCheckCommands
 from procc_annotator.gui.keymap import NATIVE, USUAL, Keymap, key_text
 from procc_annotator.gui.panels.element_states import class_swatch, class_title
 from procc_annotator.gui.panels.finding_rows import reasons_of
@@ -340,7 +340,7 @@ class _CanvasMenu(QMenu):
     def add_ghost(self, tasks: GhostCommands, name: str) -> None:
         self.addSection(tr("Ghost of {title}", title=self.title_of(name)))
         self.addAction(tr("Accept"), partial(tasks.accept_named, name))
-        self.addAction(tr("Look closely"), partial(tasks.look_at, name))
+        self.addAction(tr("Look closely"), partial(self._services.ghosts.go_to, name))
         self.addAction(tr("Not visible here"), partial(tasks.set_not_visible, name, True))
         self.addSection(tr("Frame"))
 

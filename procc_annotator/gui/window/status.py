@@ -27,8 +27,9 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.messages import Bar, ConflictBar, MessageBar
 from procc_annotator.gui.panels.widgets import ElidedLabel, hbox, make_label, named
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.messages import UNSAVED, Message
+from procc_annotator.gui.state.messages import Message
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import UNSAVED
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.interaction.hints import SEPARATOR
 from procc_annotator.translation import tr, word

@@ -167,17 +167,12 @@ class SaveState(QLabel):
             signal.connect(self._show)
         self._show()
 
-    def minimumSizeHint(self) -> QSize:
-        """Room for the usual words, so that neighbours stay where they are."""
-        words = tr("saved {time}", time="00:00:00")
-        usual = self.fontMetrics().horizontalAdvance(words) + 2 * _SAVED_PAD
-        return super().minimumSizeHint().expandedTo(QSize(usual, 0))
-
-    def sizeHint(self) -> QSize:
-        return self.minimumSizeHint()
-
     def set_saved(self, text: str, *, alarm: bool = False) -> None:
-        """Show some words; an alarm stands out."""
+        """Show some words; an alarm stands out.
+
+        There is always room for the usual words: neighbours stay where they are, and Qt need not
+        lay out the bar.
+        """
         self.setText(text)
         if alarm != self.autoFillBackground():
             colours, font = QPalette(), self.font()
@@ -189,6 +184,10 @@ class SaveState(QLabel):
             self.setPalette(colours)
             self.setFont(font)
             self.setAutoFillBackground(alarm)
+        words = (text, tr("saved {time}", time="00:00:00"))
+        metrics = self.fontMetrics()
+        width = max(map(metrics.horizontalAdvance, words)) + 2 * _SAVED_PAD
+        self.setFixedSize(width, metrics.height() + 2 * _SAVED_PAD)
 
     def _show(self) -> None:
         saver = self._services.saver

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
-from procc_annotator.gui.commands.files.opening import OpeningTask, sample_folder
+from procc_annotator.gui.commands.opening import OpeningTask, sample_folder
 from procc_annotator.gui.panels.widgets import hbox, make_button, make_label, vbox
 from procc_annotator.gui.settings import RECENT, Settings
 from procc_annotator.translation import tr
