@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.assistant import Assistant
@@ -44,6 +44,7 @@ from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
+from procc_annotator.gui.panels.widgets import vbox
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
@@ -89,7 +90,6 @@ class MainWindow(QMainWindow):
         ActionStates(self.services, self.actions_, self)
         self.panels.turned.connect(lambda name: self.actions_.set_checked(f"desk_{name}", True))
         self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
-        self.drawer.take_keys(self.actions_["plots"])
         self._make_bars()
         self._add_panel_toggles()
         self._add_recent()
@@ -128,6 +128,8 @@ class MainWindow(QMainWindow):
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
+        self.drawer = PlotsHandle(self.panels, self.actions_["plots"])
+        self._centre.addWidget(self.drawer)
         self.status = StatusLine(self.services, self.canvas)
         self.setStatusBar(self.status)
 
@@ -191,16 +193,10 @@ class MainWindow(QMainWindow):
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
         self.pages.addWidget(self.canvas)
-        centre = QWidget()
-        column = QVBoxLayout(centre)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.pages)
         self.strip = ShotStrip(self.services, self.canvas.editor)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        column.addWidget(self.strip)
-        self.drawer = PlotsHandle(self.panels)
-        column.addWidget(self.drawer)
+        centre = QWidget()
+        self._centre = vbox(self.pages, self.strip, of=centre, spacing=0, margins=0)
         self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)

@@ -207,17 +207,22 @@ _BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and th
 _HELD = {"pan": "Space"}  # not shown
 
 
+def fix_bar(bar: QToolBar, name: str) -> None:
+    """Keep a tool bar where it is, and in sight."""
+    bar.setObjectName(name)
+    bar.setMovable(False)
+    bar.setFloatable(False)
+    bar.toggleViewAction().setEnabled(False)
+    bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+
+
 class SideToolBar(QToolBar):
     """Buttons of the table of actions, one below the other, and of how the picture looks."""
 
     def __init__(self, actions: Actions) -> None:
         super().__init__(tr("Rail"))
-        self.setObjectName("rail")
-        self.setMovable(False)
-        self.setFloatable(False)
-        self.toggleViewAction().setEnabled(False)
+        fix_bar(self, "rail")
         self.setOrientation(Qt.Orientation.Vertical)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self.buttons: dict[str, IconButton] = {}
         for row in _BUTTONS:
             if row is None:

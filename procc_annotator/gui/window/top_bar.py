@@ -30,7 +30,7 @@ from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.gui.window.status import IsolatedRow, SteadyLabel
-from procc_annotator.gui.window.tool_bar import IconButton
+from procc_annotator.gui.window.tool_bar import IconButton, fix_bar
 from procc_annotator.translation import tr, tr_count, word
 
 
@@ -303,11 +303,7 @@ class TopBar(QToolBar):
             fields: the menu in which a dataset's field is chosen.
         """
         super().__init__(tr("Top bar"))
-        self.setObjectName("topBar")
-        self.setMovable(False)
-        self.setFloatable(False)
-        self.toggleViewAction().setEnabled(False)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        fix_bar(self, "topBar")
         self._services = services
         self._make_labels()
         self.chip = named(WordsButton("field", Qt.TextElideMode.ElideMiddle, 18), "fieldChip")

@@ -382,35 +382,24 @@ class PlotsHandle(QToolButton):
     What is torn off is no drawer any more: the handle brings it to the front.
     """
 
-    def __init__(self, workspaces: Workspaces) -> None:
+    def __init__(self, workspaces: Workspaces, action: QAction) -> None:
+        """Show the keys of an action that does the same."""
         super().__init__()
         self.setObjectName("drawerHandle")
+        self._workspaces, self._action = workspaces, action
         self._dock = workspaces.by_name[_PLOTS]
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._keys = ""
-        self._dock.visibilityChanged.connect(self._show_state)
-        self.clicked.connect(workspaces.toggle_plots)
-        workspaces.turned.connect(self._show_for)
-        self._show_for(workspaces.workspace)
-
-    def take_keys(self, action: QAction) -> None:
-        """Show the keys that do the same, whatever they are."""
-        action.changed.connect(lambda: self._take_keys(action))
-        self._take_keys(action)
-
-    def _show_for(self, workspace: str) -> None:
-        self.setVisible(_PLOTS in WORKSPACES[workspace])
-        self._show_state()
-
-    def _take_keys(self, action: QAction) -> None:
-        self._keys = action.shortcut().toString()
+        self.clicked.connect(action.trigger)
+        for changed in (self._dock.visibilityChanged, workspaces.turned, action.changed):
+            changed.connect(self._show_state)
         self._show_state()
 
     def _show_state(self) -> None:
-        title = tr("Plots")
-        self.setText(f"{title}  {self._keys}" if self._keys else title)
+        self.setVisible(_PLOTS in WORKSPACES[self._workspaces.workspace])
+        title, keys = tr("Plots"), self._action.shortcut().toString()
+        self.setText(f"{title}  {keys}" if keys else title)
         shut = self._dock.isHidden() or self._dock.isFloating()
         self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
         told = tr("Open the plots below the picture") if shut else tr("Shut the plots")
