@@ -42,10 +42,11 @@ class JacCurves:
 class TauPage(PlotPage[JacCurves]):
     """JaC over tau, of the frame or as the mean over the set."""
 
+    name = "plot_tau"
     title = word("JaC over tau")
 
     def __init__(self, services: Services) -> None:
-        super().__init__(services, "plot_tau")
+        super().__init__(services)
         self.item = self.add_plot(0, tr("tau (px)"), "JaC", movable=False)
         self.item.setXRange(0, MAX_TAU, padding=0.01)
         self.item.setYRange(0, 1, padding=0.04)
@@ -124,22 +125,16 @@ class TauPage(PlotPage[JacCurves]):
         return " · ".join([tr("tau {px:.1f} px", px=TAU_GRID[column]), *values])
 
 
-@dataclass(frozen=True, eq=False)
-class Timelines:
-    """Per source (F,) JaC, NaN if absent."""
+class TimelinePage(PlotPage[tuple[FloatArray, ...]]):
+    """JaC of every frame, NaN if absent, under every source; a click shows the frame."""
 
-    values: tuple[FloatArray, ...]
-
-
-class TimelinePage(PlotPage[Timelines]):
-    """JaC of every frame under every source; a click shows the frame."""
-
+    name = "plot_timeline"
     title = word("JaC over the frames")
     scopes: tuple[Scope, ...] = ("set",)
     follows_tau = True
 
     def __init__(self, services: Services) -> None:
-        super().__init__(services, "plot_timeline")
+        super().__init__(services)
         self.item = self.add_plot(0, tr("frame"), "JaC")
         self.item.setMouseEnabled(x=True, y=False)
         self.item.disableAutoRange()
@@ -155,16 +150,14 @@ class TimelinePage(PlotPage[Timelines]):
         self.restyle()
 
     @staticmethod
-    def compute(request: PlotRequest) -> Timelines:
-        return Timelines(
-            tuple(timeline(request.frames, s.audits, request.tau) for s in request.sources)
-        )
+    def compute(request: PlotRequest) -> tuple[FloatArray, ...]:
+        return tuple(timeline(request.frames, s.audits, request.tau) for s in request.sources)
 
-    def draw(self, data: Timelines, request: PlotRequest) -> str:
+    def draw(self, data: tuple[FloatArray, ...], request: PlotRequest) -> str:
         items = self.items[0]
         items.start()
         self._lines = []
-        for source, values in zip(request.sources, data.values, strict=True):
+        for source, values in zip(request.sources, data, strict=True):
             line = items.take("line", source.number, self.pg.PlotDataItem)
             marks = self.dots("marks", source, size=8)
             self._lines.append((source, values, line, marks))
@@ -176,7 +169,7 @@ class TimelinePage(PlotPage[Timelines]):
             self.item.setXRange(0.5, max(count, 1) + 0.5, padding=0.02)
         self._thin_out()
         self.mark(request)
-        nothing = not any(np.isfinite(values).any() for values in data.values)
+        nothing = not any(np.isfinite(values).any() for values in data)
         self.say_empty(request.why_nothing(_nothing(request)) if nothing else "")
         return ""
 
@@ -193,10 +186,10 @@ class TimelinePage(PlotPage[Timelines]):
         self.item.setLabel("bottom", tr("frame"), color=text.name())
 
     @staticmethod
-    def table(data: Timelines, request: PlotRequest) -> PlotData:
+    def table(data: tuple[FloatArray, ...], request: PlotRequest) -> PlotData:
         names = (f"jac@{request.tau:g} {source.name}" for source in request.sources)  # not shown
         numbers = np.arange(1, len(request.frames) + 1)
-        return PlotData(("number", "frame", *names), (numbers, request.frames, *data.values))
+        return PlotData(("number", "frame", *names), (numbers, request.frames, *data))
 
     def frame_at(self, scene: QPointF) -> int:
         """The frame a position of the scene belongs to, -1 next to the plot."""

@@ -39,11 +39,12 @@ class ErrorBars:
 class HistogramPage(PlotPage[ErrorBars]):
     """Histogram of the errors, overall or of one class."""
 
+    name = "plot_histogram"
     title = word("Errors, as a histogram")
     by_class = True
 
     def __init__(self, services: Services) -> None:
-        super().__init__(services, "plot_histogram")
+        super().__init__(services)
         self.item = self.add_plot(0, tr("reprojection error (px)"), tr("points"), movable=False)
 
     @staticmethod
@@ -183,11 +184,12 @@ class Vectors:
 class VectorsPage(PlotPage[Vectors]):
     """Residuals over the picture, from click to projection."""
 
+    name = "plot_vectors"
     title = word("Residuals over the picture")
     by_class = True
 
     def __init__(self, services: Services) -> None:
-        super().__init__(services, "plot_vectors")
+        super().__init__(services)
         self.item = self.add_plot(0, "x (px)", "y (px)")
         self.item.setAspectLocked(True)
         self.item.invertY(True)
@@ -249,15 +251,11 @@ class VectorsPage(PlotPage[Vectors]):
     def _draw_arrows(self, source: PlottedSource, arrows: Arrows, factor: float) -> None:
         lines = arrow_lines(arrows.at_px, arrows.vectors_px * factor)
         curve = self.items[0].take("arrows", source.number, self.pg.PlotCurveItem)
-        curve.setData(
-            lines[:, 0], lines[:, 1], connect="pairs", pen=self._solid(source), antialias=True
-        )
+        # Arrows are too short for dashes; their feet have the source's symbol.
+        pen = self.pg.mkPen(self.colour(source), width=1.4)
+        curve.setData(lines[:, 0], lines[:, 1], connect="pairs", pen=pen, antialias=True)
         feet = self.dots("feet", source, size=4)
         feet.setData(x=arrows.at_px[:, 0], y=arrows.at_px[:, 1])
-
-    def _solid(self, source: PlottedSource) -> Any:
-        """Arrows are too short for dashes; their feet have the source's symbol."""
-        return self.pg.mkPen(self.colour(source), width=1.4)
 
     def restyle(self) -> None:
         self.border.setPen(self.pg.mkPen(muted(self.palette()), width=1))

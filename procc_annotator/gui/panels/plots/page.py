@@ -194,13 +194,14 @@ class PlotPage(QWidget, Generic[D]):
     """One plot; anyone who holds it computes its data, perhaps in another thread, and has it drawn.
 
     Class attributes:
+        name: its object name.
         title: its name in the list of plots, marked by ``word``.
         scopes: which choices of frames make sense.
         by_class: whether one class can be chosen.
         follows_tau: whether the data (not only a mark) depends on tau.
     """
 
-    title = ""
+    name = title = ""
     scopes: tuple[Scope, ...] = ("frame", "set")
     by_class = False
     follows_tau = False
@@ -210,24 +211,24 @@ class PlotPage(QWidget, Generic[D]):
     readout = Signal(str)  # what is under the cursor; empty when nothing is
     changed = Signal()  # an option of the page: draw it again
 
-    def __init__(self, services: Services, name: str) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
         self.services = services
         import pyqtgraph as pg  # see the module's docstring
 
         self.pg = pg
-        self.setObjectName(name)
+        self.setObjectName(self.name)
         self.view = pg.GraphicsLayoutWidget()
         self.view.setBackground(None)
         follow_theme(self.view)
-        self.view.setObjectName(f"{name}_view")
+        self.view.setObjectName(f"{self.name}_view")
         self.view.setAccessibleName(tr(self.title))
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.sharpness: float | None = None  # px of the device a logical one; None: the screen's
         self.plots: list[Any] = []
         self.items: list[Items] = []
-        self._pages = Pages(self.view, f"{name}_empty")
+        self._pages = Pages(self.view, f"{self.name}_empty")
         self.empty = self._pages.empty
         vbox((self._pages, 1), of=self, margins=0)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QResizeEvent
@@ -33,12 +33,7 @@ _ALL_CLASSES = -1
 _WIDE = 34  # lines of text: then what is chosen stands in one row
 
 
-class _Kind(Protocol):
-    """A kind of page, which is called to make one."""
-
-    title: str
-
-    def __call__(self, services: Services) -> PlotPage[Any]: ...
+_Kind = type[PlotPage[Any]]
 
 
 def _kinds() -> tuple[_Kind, ...]:
