@@ -117,9 +117,9 @@ class FieldPreview(QMainWindow):
         name = Path(self._source).name
         self.setWindowTitle(f"{tr(read.field.title)} – {name}")
         self.facts.setText(_facts(read.field))
-        told = [str(r) for r in read.remarks if r.severity is not WarningSeverity.NOTE]
-        more = len(told) - _MOST_REMARKS
-        shown = told[:_MOST_REMARKS] + ([tr("... and {n} more", n=more)] if more > 0 else [])
+        remarks = [str(r) for r in read.remarks if r.severity is not WarningSeverity.NOTE]
+        more = len(remarks) - _MOST_REMARKS
+        shown = remarks[:_MOST_REMARKS] + ([tr("... and {n} more", n=more)] if more > 0 else [])
         show_note(self.remarks, "\n".join(shown))
 
 

@@ -95,7 +95,7 @@ class Keymap:
 
 USUAL = Keymap()
 
-# What hands know from elsewhere, or from the other side of the keyboard.
+# Keys as in other programs, or for the left hand.
 PRESETS: Mapping[str, Keymap] = {
     word("Usual"): USUAL,
     word("Left-handed"): Keymap(
@@ -282,7 +282,7 @@ _Chords = tuple[str, ...]
 
 
 def element_keys(field: Field, keymap: Keymap = USUAL) -> Mapping[str, QKeySequence]:
-    """Class -> the keys that choose it; nothing of elements whose keys mean something else.
+    """Class -> the keys that choose it, without elements that share keys with something else.
 
     A key that begins a sequence of another element's belongs to the one that comes first in the
     field: Qt would wait forever whether more is to come.

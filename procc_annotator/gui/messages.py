@@ -34,7 +34,7 @@ T = TypeVar("T")
 
 
 def opened_frame(services: Services) -> Frame | None:
-    """The frame on screen; if there is none it is said what to do."""
+    """Return the frame on screen; without one, say what to do."""
     if why := no_frame(services.state):
         services.say(why, "warning")
     return services.state.frame
@@ -186,7 +186,7 @@ class MessageBar(Bar):
 
 
 class ConflictBar(Bar):
-    """Another person changed the file of the frame on screen: whose work stays?"""
+    """Asks which work stays: another person changed the file of the frame on screen."""
 
     def __init__(self, reload: Callable[[], object], overwrite: Callable[[], object]) -> None:
         super().__init__("conflictBar")

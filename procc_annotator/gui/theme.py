@@ -33,20 +33,20 @@ class _Role(QObject):
     def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
         super().__init__(widget)
         self._widget, self._role = widget, role
-        self._told: list[QAccessibleWidget] = []  # Qt deletes them with the widget
+        self._made: list[QAccessibleWidget] = []  # Qt deletes them with the widget
         widget.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in _WHEN and watched is self._widget:
-            self._tell()
+            self._register()
         return False
 
-    def _tell(self) -> None:
+    def _register(self) -> None:
         known = QAccessible.queryAccessibleInterface(self._widget)
         if known is None or known.role() != self._role:
-            told = QAccessibleWidget(self._widget, self._role, "")
-            QAccessible.registerAccessibleInterface(told)
-            self._told.append(told)
+            made = QAccessibleWidget(self._widget, self._role, "")
+            QAccessible.registerAccessibleInterface(made)
+            self._made.append(made)
 
 
 def give_role(widget: QWidget, role: QAccessible.Role) -> None:

@@ -255,7 +255,7 @@ class SourceRow(QFrame):
             painter.end()
         super().paintEvent(event)
 
-    # --- hands ---------------------------------------------------------------------------------
+    # --- editing -------------------------------------------------------------------------------
 
     def begin_rename(self) -> None:
         """Let the name be typed, where it is the user's to give."""
@@ -332,7 +332,7 @@ class SourceRow(QFrame):
 
 
 class ElidedRadio(QRadioButton):
-    """A radio button whose text gives way in a narrow panel; the tooltip has it in full."""
+    """A radio button that shortens its text in a narrow panel."""
 
     def __init__(self, text: str) -> None:
         super().__init__()

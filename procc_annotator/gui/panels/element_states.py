@@ -328,7 +328,7 @@ def elided_title(title: str, metrics: QFontMetrics, width: int) -> str:
 
 
 def _abbreviated(title: str, metrics: QFontMetrics, width: int) -> str:
-    """A title whose longest words give way first: "Surf. gauc. côté loin."."""
+    """Shorten the longest words of a title first: "Surf. gauc. côté loin."."""
     words = title.split()
     for most in range(max(map(len, words), default=0), 1, -1):
         text = " ".join(w if len(w) <= most else f"{w[: most - 1]}." for w in words)

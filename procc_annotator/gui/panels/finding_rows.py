@@ -140,7 +140,7 @@ class FindingDelegate(QStyledItemDelegate):
 
 
 class FindingsList(QTableView):
-    """A list whose rows are as high as their texts.
+    """A list with rows as high as their texts.
 
     Only rows that come into sight are measured: to wrap the texts of thousands would take seconds.
     """

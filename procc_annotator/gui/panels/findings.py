@@ -382,7 +382,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 class WrappingButton(QPushButton):
-    """A button whose text is wrapped rather than cut off."""
+    """A button that wraps its text rather than cutting it off."""
 
     def __init__(self) -> None:
         super().__init__()

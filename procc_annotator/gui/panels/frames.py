@@ -175,7 +175,7 @@ class FramesPanel(Panel):
         services.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = after_paint(self, self._follow_frames)
-        self._revealed = -1  # the frame whose folders were unfolded last
+        self._revealed = -1  # the frame that folders were unfolded for last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
         services.store.watch(select.annotation, self._follow_soon)
         services.store.events.framesEdited.connect(self._take_edited)

@@ -259,7 +259,7 @@ class LandmarksPanel(Panel):
         self.views_title.setVisible(self._services.state.frame is not None)
         self.group.setVisible(self._services.state.frame is not None)
 
-    # --- hands ----------------------------------------------------------------------------
+    # --- editing --------------------------------------------------------------------------
 
     @property
     def _chosen(self) -> str | None:

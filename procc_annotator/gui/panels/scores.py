@@ -109,7 +109,7 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, POINT)
-        self._view = view  # whose colours the symbols have
+        self._view = view  # the symbols have its colours
 
     def texts(self, row: ScoreRow) -> Sequence[str]:
         return row.cells

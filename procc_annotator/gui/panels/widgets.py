@@ -271,7 +271,7 @@ def vbox(
 
     Args:
         parts: widgets and layouts, each alone or with its stretch; None: a space that stretches.
-        of: the widget whose layout it is.
+        of: the widget that the layout is for.
         spacing, margins: px between the parts and around them; None: those of the style.
     """
     box = _fill(QVBoxLayout(), parts, spacing, margins)
@@ -559,7 +559,7 @@ def scrolling(content: ScrolledContent) -> QScrollArea:
 
 
 class DecimalBox(QDoubleSpinBox):
-    """Shows a point, as all figures of the window do, and takes a comma for one."""
+    """Shows a decimal point, as all numbers of the window, and accepts a comma."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -570,7 +570,7 @@ class DecimalBox(QDoubleSpinBox):
 
 
 class RangeBox(DecimalBox):
-    """Lets numbers out of its range be written, and says that they are not taken."""
+    """Lets numbers out of its range be typed, and reports that they are not accepted."""
 
     refused = Signal(float)  # this was entered; the value is what it was
 
@@ -587,15 +587,15 @@ class RangeBox(DecimalBox):
         return str(super().fixup(text))
 
     def tell_refused(self, number: float) -> None:
-        """Say next to the box that a number is not taken."""
-        told = tr(
+        """Show next to the box that a number is not accepted."""
+        words = tr(
             "not {number:g}: {least:g} to {most:g}{unit}",
             number=number,
             least=self.minimum(),
             most=self.maximum(),
             unit=self.suffix(),
         )
-        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), told, self)
+        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), words, self)
 
     def _outside(self, text: str) -> float | None:
         """The number of a text, if the range does not have it."""

@@ -43,7 +43,7 @@ from procc_annotator.translation import tr, word
 _CAMERAS, _PANEL, _SETTING, _OPEN = word("Cameras"), word("Panel"), word("Setting"), word("Open")
 _ELEMENT, _FRAME, _CAMERA = word("Element"), word("Frame"), word("Camera")
 
-_MOST_FRAMES = 30  # that are listed of those whose names fit
+_MOST_FRAMES = 30  # that are listed of those with a fitting name
 _BY_DETAIL = 10  # the rank of what fits by what is said of it, behind all that fit by name
 _SELF = "palette"  # the action that shows the list, which need not be in it
 
@@ -224,7 +224,7 @@ class PaletteEntries:
             yield self._frame(index, title)
 
     def _of_frames(self, text: str) -> Iterator[Entry]:
-        """Frames whose names hold every word."""
+        """Frames with every word in their names."""
         workspace = self._services.state.workspace
         wanted = text.casefold().split()
         for index, frame in enumerate(workspace.frames if workspace is not None else ()):
@@ -359,7 +359,7 @@ class CommandPalette(QFrame):
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
         if self.isVisible() and new is not None and not self.isAncestorOf(new):
-            self._before = None  # somebody went elsewhere by hand
+            self._before = None  # the user clicked elsewhere
             self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

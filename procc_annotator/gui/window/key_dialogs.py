@@ -391,5 +391,5 @@ class _PressedKeys(QKeySequenceEdit):
         self.setMaximumSequenceLength(1)
         self.setClearButtonEnabled(True)
         words = self.findChildren(QLineEdit)[0].placeholderText()  # Qt's own
-        beside = 2 * self.fontMetrics().height()
-        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(words) + beside)
+        clear = 2 * self.fontMetrics().height()
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(words) + clear)

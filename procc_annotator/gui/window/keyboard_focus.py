@@ -75,7 +75,7 @@ class FocusRing(QObject):
         top = widget.window()
         if top is not self._window and not self._window.isAncestorOf(top):
             return False
-        if isinstance(widget, QGraphicsView):  # takes the keyboard from whoever passes over it
+        if isinstance(widget, QGraphicsView):  # takes the keyboard when the mouse enters
             return not widget.underMouse()
         return top.windowType() not in _WITHOUT
 

@@ -71,7 +71,7 @@ class Actions:
             action.setChecked(checked)  # slots hang on `triggered`, which only a person sends
 
     def set_step(self, name: str, step: str | None) -> None:
-        """Say behind an action's text which step it is about; None: there is none."""
+        """Name the step of an action behind its text; None: no step."""
         action = self._by_name[name]
         text = self._texts.setdefault(name, action.text())
         said = tr("{action}: {step}", action=text, step=step).replace("&", "&&")
@@ -192,7 +192,7 @@ class ActionStates(QObject):
         self._actions.set_checked("uncertainty", self._services.uncertainty.enabled)
 
 
-_REACH = 32.0  # screen px: a sign stands beside its point, on whichever side there is room
+_REACH = 32.0  # screen px: a sign stands next to its point, on the side with room
 
 
 class FindingTips(QObject):
@@ -386,7 +386,7 @@ def class_menu(
         title: of the menu, as in "Change class to".
         first: class names offered at the top, best first; they may be unknown to the field.
         disabled: class names that cannot be chosen now; they stay where they are, in grey.
-        keymap: whose keys stand next to the names.
+        keymap: of the keys next to the names.
         chosen: called with the class name of the chosen entry.
 
     Returns:
@@ -431,5 +431,5 @@ def _add(
 
 
 def _literal(text: str) -> str:
-    """Text whose ampersands are shown instead of marking a key."""
+    """Escape ampersands, which mark keys in menus."""
     return text.replace("&", "&&")

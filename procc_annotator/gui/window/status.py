@@ -149,7 +149,7 @@ class Readout(QLabel):
 
 
 class SteadyLabel(QLabel):
-    """A label whose neighbours are laid out anew only when it needs other room."""
+    """A label that has its neighbours laid out anew only when it needs another size."""
 
     def __init__(self, least: str = "") -> None:
         """Show nothing yet.

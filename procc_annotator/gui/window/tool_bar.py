@@ -58,7 +58,7 @@ class IconButton(QToolButton):
 
         Args:
             action: what a click triggers.
-            key_of: whose key is shown, if it has none of its own.
+            key_of: has the key that is shown if the action has no key.
             key: what is held for the same effect, where there is no such action either.
         """
         self.setDefaultAction(action)
@@ -188,7 +188,7 @@ class IconButton(QToolButton):
         return font
 
 
-# Icon, action, and whose key is shown where that has none; a None starts a new group.
+# Icon, action, and the action with the key that is shown where that has none; None: a new group.
 _BUTTONS: tuple[tuple[str, str, str] | None, ...] = (
     ("undo", "undo", ""),
     ("redo", "redo", ""),

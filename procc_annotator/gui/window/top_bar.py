@@ -122,7 +122,7 @@ class CameraBar(QWidget):
         self.cameras.setMinimumWidth(min(widest, self.cameras.sizeHint().width()))
 
     def _show_score(self) -> None:
-        """JaC, or why there is none."""
+        """Show the JaC, or why there is no JaC."""
         services = self._services
         score = services.scorer.score
         if score is not None and (why := services.state.why_not_judged):

@@ -113,7 +113,7 @@ class BoundSettings:
 def _bound(
     services: Services, canvas: Canvas, action: Callable[[str], QAction]
 ) -> dict[str, Bound]:
-    """Return the settings whose values services or actions hold."""
+    """Return how to read and change the settings that services or actions hold."""
 
     def switch(name: str) -> Bound:
         def turn(on: bool) -> None:
@@ -158,7 +158,7 @@ def _application() -> QApplication:
 
 
 _SIZE = QSize(1440, 900)
-_AROUND = QSize(16, 48)  # what a desktop puts around a window, and its title; it tells too late
+_AROUND = QSize(16, 48)  # what a desktop puts around a window, and its title; known too late
 
 
 class WindowState:

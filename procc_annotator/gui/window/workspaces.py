@@ -340,7 +340,7 @@ _TITLES = {
     "judge": word("Judge", "desk"),
     "review": word("Review", "desk"),
 }
-_ROOM = 6  # px around the words: no more than the menus have beside them
+_ROOM = 6  # px around the words, as menus have
 
 
 class WorkspaceSwitch(QWidget):
@@ -402,6 +402,6 @@ class PlotsHandle(QToolButton):
         self.setText(f"{title}  {keys}" if keys else title)
         shut = self._dock.isHidden() or self._dock.isFloating()
         self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
-        told = tr("Open the plots below the picture") if shut else tr("Shut the plots")
-        self.setToolTip(told)
-        self.setAccessibleName(told)
+        words = tr("Open the plots below the picture") if shut else tr("Shut the plots")
+        self.setToolTip(words)
+        self.setAccessibleName(words)

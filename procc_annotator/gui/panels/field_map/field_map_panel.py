@@ -111,7 +111,7 @@ class FieldMapPanel(Panel):
         return QSize(160, 120)
 
     def class_at(self, position: QPointF) -> str | None:
-        """The class whose line is at a position of the widget."""
+        """The class with a line at a position of the widget."""
         placed = self._placement()
         x, y = placed.to_field(position)
         return self._shape.pick(x, y, _PICK_POINTS / placed.scale)

@@ -103,7 +103,7 @@ def _size(room: QRectF) -> tuple[float, float]:
 
 
 class MapView:
-    """Zoom and shift of a map, changed by hands.
+    """Zoom and shift of a map, changed by the mouse.
 
     Attributes:
         zoom: 1 where the whole map is in sight.
@@ -128,8 +128,8 @@ class MapView:
             cursor, centre: the mouse, and the middle of the map's room, widget points.
         """
         zoom = min(_LARGEST, max(1.0, self.zoom * _STEP**turned))
-        beside = cursor - centre
-        self.shift = beside - (beside - self.shift) * (zoom / self.zoom)
+        offset = cursor - centre
+        self.shift = offset - (offset - self.shift) * (zoom / self.zoom)
         self.zoom = zoom
         if zoom == 1.0:
             self.shift = QPointF()
@@ -155,7 +155,7 @@ class MapView:
 
 
 _STEEPEST = 3.0  # how much farther aside than along the way something may lie
-_ASIDE = 2.0  # how much farther counts what lies aside of the way
+_ASIDE = 2.0  # how much farther an element counts that is off the direction
 
 
 def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str | None:

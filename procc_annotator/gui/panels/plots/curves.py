@@ -227,7 +227,7 @@ class TimelinePage(PlotPage[tuple[FloatArray, ...]]):
             positions = shown = np.empty(0)
         symbols = width >= _ROOM * (high - low)
         pen = self.pen(source, 1.4)
-        if 2 * (high - low) > width:  # dashes could not be told there, and take long to paint
+        if 2 * (high - low) > width:  # dashes cannot be distinguished there, and take long to paint
             pen = self.pg.mkPen(self.colour(source), width=1)
         line.setData(
             positions + 1.0,

@@ -99,7 +99,7 @@ def _of_track(services: Services, number: int) -> list[str]:
 
 
 _WHEEL_STEP = 1.25
-_SIDE = 8  # px beside the frames
+_SIDE = 8  # px left and right of the frames
 
 
 class StripTask(Protocol):
@@ -144,7 +144,7 @@ class ShotStrip(QWidget):
         self.content = StripContent(services, self)
         self._axis: Axis | None = None
         self._followed: FrameSequence | None = None  # what the axis is of
-        self._aim: int | None = None  # the number under a hand that drags
+        self._aim: int | None = None  # the number that is dragged to
         self._mark_from: int | None = None
         self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
         self._tasks: tuple[StripTask, ...] = ()
@@ -263,7 +263,7 @@ class ShotStrip(QWidget):
     def _paint_anew(self) -> None:
         self._painted = None
 
-    # --- hands ------------------------------------------------------------------------------
+    # --- keys and mouse ---------------------------------------------------------------------
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         sequence, number = self.content.sequence, self.number
@@ -283,7 +283,7 @@ class ShotStrip(QWidget):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._aim = None  # somebody else hears that the key comes up
+        self._aim = None  # another widget gets the release of the key
         self.update()
 
     def _go_by_key(self, number: int, far: int, *, marking: bool) -> None:
