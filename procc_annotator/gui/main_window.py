@@ -91,8 +91,7 @@ class MainWindow(QMainWindow):
         self.panels.turned.connect(lambda name: self.actions_.set_checked(f"desk_{name}", True))
         self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
         self._make_bars()
-        self._add_panel_toggles()
-        self._add_recent()
+        self._add_menus()
         self.palette_ = CommandPalette(
             self,
             PaletteEntries(
@@ -227,15 +226,13 @@ class MainWindow(QMainWindow):
         )
         self.docks = self.panels.by_name
 
-    def _add_panel_toggles(self) -> None:
+    def _add_menus(self) -> None:
         menu = self.actions_.menus["View"].addMenu(tr("Panels"))  # not shown
         for dock in self.docks.values():
             menu.addAction(dock.toggleViewAction())
-
-    def _add_recent(self) -> None:
-        menu = RecentMenu(self.settings, self.opening.open_path, self)
+        recent = RecentMenu(self.settings, self.opening.open_path, self)
         before = self.actions_["open_sample"]
-        self.actions_.menus["File"].insertMenu(before, menu)  # not shown
+        self.actions_.menus["File"].insertMenu(before, recent)  # not shown
 
     def _connect(self) -> None:
         services = self.services

@@ -326,16 +326,14 @@ class ElementsPanel(Panel):
             self._step(1 if key == Qt.Key.Key_Down else -1)
 
     def _step(self, step: int) -> None:
-        visible = [item for item in self._in_order() if not item.isHidden()]
+        groups = [self.tree.topLevelItem(i) for i in range(self.tree.topLevelItemCount())]
+        items = [item for group in groups if group is not None for item in _children(group)]
+        visible = [item for item in items if not item.isHidden()]
         if not visible:
             return
         current = self.tree.currentItem()
         at = visible.index(current) + step if current in visible else 0
         self.tree.setCurrentItem(visible[max(0, min(at, len(visible) - 1))])
-
-    def _in_order(self) -> list[QTreeWidgetItem]:
-        groups = [self.tree.topLevelItem(i) for i in range(self.tree.topLevelItemCount())]
-        return [child for group in groups if group is not None for child in _children(group)]
 
     def _leave_search(self) -> None:
         self.search.clear()

@@ -249,7 +249,8 @@ class FindingsPanel(Panel):
             every = [(frame.name, found) for found in check.shown] if frame is not None else []
         counts = by_severity(found for _, found in every)
         for severity, button in self.severity_buttons.items():
-            button.setText(_short(counts[severity]))
+            count = counts[severity]
+            button.setText(str(count) if count < 1000 else f"{count // 1000}k")
             button.setChecked(severity in check.severities)
             many = so_many(severity, counts[severity])
             button.setToolTip(tr("{findings}; click to list them or not", findings=many))
@@ -366,10 +367,6 @@ class FindingsPanel(Panel):
             self._commands.ignore(*self.model.entries[row])
             return True
         return False
-
-
-def _short(count: int) -> str:
-    return str(count) if count < 1000 else f"{count // 1000}k"
 
 
 def _pieces(text: str) -> Iterator[str]:

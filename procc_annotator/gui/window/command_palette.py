@@ -369,7 +369,9 @@ class CommandPalette(QFrame):
             return False
         if watched is not self.search or not isinstance(event, QKeyEvent):
             return False
-        if event.type() == QEvent.Type.ShortcutOverride and not _calls_palette(event):
+        held = event.modifiers() == Qt.KeyboardModifier.ControlModifier
+        calls_palette = held and event.key() == Qt.Key.Key_K
+        if event.type() == QEvent.Type.ShortcutOverride and not calls_palette:
             event.accept()  # every key is the line's, or it would do something unseen below it
             return True
         return event.type() == QEvent.Type.KeyPress and self._key(Qt.Key(event.key()))
@@ -387,11 +389,6 @@ class CommandPalette(QFrame):
         else:
             return key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
         return True
-
-
-def _calls_palette(event: QKeyEvent) -> bool:
-    held = event.modifiers() == Qt.KeyboardModifier.ControlModifier
-    return held and event.key() == Qt.Key.Key_K
 
 
 class _Entries(RowsModel[Entry]):

@@ -118,13 +118,6 @@ def _words(keys: tuple[str, ...]) -> str:
     return reduce(lambda one, other: tr("{one} or {other}", one=one, other=other), native)
 
 
-def _gesture_rows() -> list[KeyRow]:
-    place = tr("In the picture")
-    return [
-        KeyRow(None, place, tr(does), tr(keys), (), "", f"{keys} {does}") for keys, does in GESTURES
-    ]
-
-
 class KeyTable(QTableView):
     """Table of keys; shows the rows that hold all the words of a search line."""
 
@@ -192,7 +185,10 @@ class KeySheet(QDialog):
             for row in key_rows(field, keymap)
             if not isinstance(row.called, Element) or row.called.name in free
         ]
-        self.table.rows.replace([*rows, *_gesture_rows()])
+        place = tr("In the picture")
+        for keys, does in GESTURES:
+            rows.append(KeyRow(None, place, tr(does), tr(keys), (), "", f"{keys} {does}"))
+        self.table.rows.replace(rows)
         self.search.clear()
         self.search.setFocus()
 

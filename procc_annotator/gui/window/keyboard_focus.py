@@ -198,17 +198,14 @@ class FocusReturn(QObject):
             return widget.interpretText if name == _ENTER else lambda: self._put_back(widget)
         if isinstance(widget, QLineEdit) and widget.property(LEFT_BY_ESCAPE) and name == _ESCAPE:
             return lambda: self._put_back(widget)
-        return _nothing if isinstance(widget, QComboBox) else None
+        # The keyboard goes back from a list, and that is all.
+        return (lambda: None) if isinstance(widget, QComboBox) else None
 
     def _put_back(self, box: QDoubleSpinBox | QLineEdit) -> None:
         if isinstance(box, QLineEdit):
             box.setText(str(self._former))
         else:
             box.setValue(float(self._former))
-
-
-def _nothing() -> None:
-    """The keyboard goes back, and that is all."""
 
 
 _BY_TAB = Qt.FocusPolicy.TabFocus
@@ -226,7 +223,8 @@ class FocusRegions:
         if not regions:
             return
         focus = QApplication.focusWidget()
-        here = next((i for i, r in enumerate(regions) if _holds(r, focus)), None)
+        around = [r for r in regions if focus is not None and r.isAncestorOf(focus)]
+        here = next((i for i, r in enumerate(regions) if r is focus or r in around), None)
         begin = (-1 if step > 0 else 0) if here is None else here
         for turn in range(1, len(regions) + 1):
             region = regions[(begin + step * turn) % len(regions)]
@@ -243,7 +241,9 @@ class FocusRegions:
         for bar in bars:
             _reach(bar)
         docks = [d for d in window.findChildren(QDockWidget) if not d.visibleRegion().isEmpty()]
-        return sorted([*bars, *docks, *self._middle()], key=_place)
+        return sorted(
+            [*bars, *docks, *self._middle()], key=lambda part: part.mapToGlobal(QPoint()).toTuple()
+        )
 
     def _middle(self) -> list[QWidget]:
         """The picture, the strip below it, and whatever else is one above the other there."""
@@ -260,15 +260,6 @@ def _reach(bar: QToolBar) -> None:
     for button in bar.findChildren(QToolButton):
         if button.focusPolicy() == Qt.FocusPolicy.NoFocus and button.defaultAction() is not None:
             button.setFocusPolicy(_BY_TAB)
-
-
-def _place(part: QWidget) -> tuple[int, int]:
-    at = part.mapToGlobal(QPoint(0, 0))
-    return at.x(), at.y()
-
-
-def _holds(region: QWidget, focus: QWidget | None) -> bool:
-    return focus is not None and (focus is region or region.isAncestorOf(focus))
 
 
 def _target(region: QWidget) -> QWidget | None:
