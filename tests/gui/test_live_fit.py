@@ -24,7 +24,7 @@ from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.editing import delete_point
 from procc_annotator.formats.cameras.soccernet import read_camera
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots.data import PlotSources
+from procc_annotator.gui.panels.plots.page import PlotSources
 from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.prediction import live_fit

@@ -20,8 +20,7 @@ from PySide6.QtGui import (
 
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.messages import ask_where, write
-from procc_annotator.gui.panels.plots.data import PlotRequest
-from procc_annotator.gui.panels.plots.page import Legend, PlotPage
+from procc_annotator.gui.panels.plots.page import Legend, PlotPage, PlotRequest
 from procc_annotator.gui.panels.widgets import Panel
 from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.services import Services

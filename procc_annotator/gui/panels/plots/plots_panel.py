@@ -17,9 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources
 from procc_annotator.gui.panels.plots.export import ExportablePlot
-from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.plots.page import PlotPage, PlotRequest, PlotSources
 from procc_annotator.gui.panels.widgets import choice, empty_state, hbox, make_label, named, vbox
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import as_sentence, no_frame, no_source
@@ -38,8 +37,12 @@ _Kind = type[PlotPage[Any]]
 
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; loaded when the panel is first seen."""
-    from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
-    from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
+    from procc_annotator.gui.panels.plots.pages import (
+        HistogramPage,
+        TauPage,
+        TimelinePage,
+        VectorsPage,
+    )
 
     return (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
