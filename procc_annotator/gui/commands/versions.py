@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from typing import Any
 
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QPainter
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QSize, Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
+    QApplication,
     QDialog,
     QHBoxLayout,
     QListView,
     QStackedWidget,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QVBoxLayout,
     QWidget,
 )
@@ -32,7 +32,6 @@ from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, translatable, word
 
@@ -88,7 +87,7 @@ class VersionsDialog(QDialog):
         self.list = QListView()
         self.list.setObjectName("versionsList")
         self.list.setModel(self.model)
-        self.list.setItemDelegate(_VersionDelegate(self.list))
+        self.list.setAlternatingRowColors(True)
         self.list.setUniformItemSizes(True)
         self.list.setFixedWidth(_LIST_WIDTH)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -157,6 +156,7 @@ class VersionsModel(QAbstractListModel):
         self._preview = preview
         self._read: dict[int, FrameAnnotation | ProccError] = {}
         self.current = current
+        self._line_height = QFontMetrics(QApplication.font()).lineSpacing()
 
     def annotation(self, row: int) -> FrameAnnotation | ProccError:
         """The annotation of a row, or why it cannot be read."""
@@ -170,10 +170,13 @@ class VersionsModel(QAbstractListModel):
     def rowCount(self, parent: Index = _ROOT) -> int:
         return 0 if parent.isValid() else len(self.rows)
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> str | None:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row = index.row()
         if role == Qt.ItemDataRole.DisplayRole:
-            return "\n".join(self.lines(row))
+            when, author, reason, content = self.lines(row)
+            return f"{when}   {author}\n{reason}\n{content}"
+        if role == Qt.ItemDataRole.SizeHintRole:  # narrower than the list: longer lines are elided
+            return QSize(_LIST_WIDTH - 20, 3 * self._line_height + 2 * _PAD)
         if role == Qt.ItemDataRole.ToolTipRole:
             return tr(self.rows[row].reason)
         return None
@@ -246,51 +249,6 @@ def comparison(version: FrameAnnotation, current: FrameAnnotation, field: Field)
 
 def _counts(annotation: FrameAnnotation) -> tuple[int, int]:
     return len(annotation.annotated), sum(len(p.points) for p in annotation)
-
-
-class _VersionDelegate(QStyledItemDelegate):
-    """Three lines: time and author, reason, content."""
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        metrics: QFontMetrics = option.fontMetrics
-        return QSize(_LIST_WIDTH - 20, 3 * metrics.height() + 4 + 2 * _PAD)
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        model = index.model()
-        if not isinstance(model, VersionsModel):
-            return
-        when, author, reason, content = model.lines(index.row())
-        rect: QRect = option.rect
-        painter.save()
-        base, text = paint_row(painter, option)
-        box = rect.adjusted(_PAD + 2, _PAD, -_PAD - 2, -_PAD)
-        bold = QFont(option.font)
-        bold.setBold(True)
-        quiet = blend(text, base, 0.3)
-        line = (box.height() - 4) // 3
-        for i, (words, font, colour) in enumerate(
-            ((when, bold, text), (reason, option.font, text), (content, option.font, quiet))
-        ):
-            painter.setFont(font)
-            painter.setPen(colour)
-            row = QRect(box.left(), box.top() + i * (line + 2), box.width(), line)
-            _draw_line(painter, row, words)
-            if i == 0:
-                row.setLeft(row.left() + painter.fontMetrics().horizontalAdvance(words) + 12)
-                painter.setFont(option.font)
-                painter.setPen(quiet)
-                _draw_line(painter, row, author, Qt.AlignmentFlag.AlignRight)
-        painter.restore()
-
-
-def _draw_line(
-    painter: QPainter,
-    row: QRect,
-    words: str,
-    side: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft,
-) -> None:
-    shown = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, row.width())
-    painter.drawText(row, side | Qt.AlignmentFlag.AlignVCenter, shown)
 
 
 class Versions:

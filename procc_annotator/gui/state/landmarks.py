@@ -457,20 +457,19 @@ class LandmarkTriangulation(QObject):
         for problem in outcome.problems:
             say(store, problem, "warning")
         found = [one for one in located if one.found.position is not None]
-        deleted = False
+
+        def is_there() -> bool:  # another person may have deleted it; a place would bring it back
+            return name in landmarks_by_name(landmarks.file.landmarks)
 
         def placed() -> LandmarkFile:
-            nonlocal deleted
-            # Another person may have deleted it meanwhile; a place would bring it back.
-            deleted = name not in landmarks_by_name(landmarks.file.landmarks)
-            return landmarks.file if deleted else with_positions(landmarks.file, found)
+            return with_positions(landmarks.file, found) if is_there() else landmarks.file
 
         if not found:
             self._landmarks.changed.emit()
         elif not landmarks.edit(placed):
             self._landmarks.changed.emit()
             return  # it was said why
-        if deleted:
+        if found and not is_there():
             title = tr(name.strip())
             told = tr("{title} was deleted meanwhile: its place was not kept", title=title)
             say(store, told, "warning")

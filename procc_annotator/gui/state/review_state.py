@@ -385,15 +385,11 @@ class BlindLock(QObject):
         review.statusChanged.connect(self._take_committed)
 
     @property
-    def lock(self) -> LockEvent | None:
-        """The lock of the dataset on screen."""
-        return self._store.state.blind_lock
-
-    @property
     def reason(self) -> str:
         """Return who locked the dataset and when, in words; empty when no one did. It may begin
         with a name, which is written as its owner writes it."""
-        return self._said(lock) if (lock := self.lock) is not None else ""
+        lock = self._store.state.blind_lock
+        return "" if lock is None else self._said(lock)
 
     @property
     def no_fit(self) -> str:
@@ -409,7 +405,7 @@ class BlindLock(QObject):
     def set_blind(self, blind: bool) -> None:
         """Hide everything of the camera until the frame is committed, or show it again unless the
         dataset is locked to blind mode."""
-        if self.lock is None:
+        if self._store.state.blind_lock is None:
             self.wanted = blind
             self._store.update(blind=blind)
         elif not blind:

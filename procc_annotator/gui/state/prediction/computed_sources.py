@@ -127,8 +127,7 @@ class FitSource(QObject):
 
     def _leave(self) -> None:
         self._forget(self.cameras.fits)
-        if self.listed:
-            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+        self._sources.remove_source(self.source)
 
     def _forget(self, frames: Collection[str]) -> None:
         """Drop what is known of some frames, also how they scored."""
@@ -271,7 +270,7 @@ class ShotTrack(QObject):
     # --- inside ---
 
     def _begin_anew(self) -> None:
-        self._leave()
+        self._sources.remove_source(self.source)
         self.source.clear()
         self.forget()
 
@@ -298,11 +297,7 @@ class ShotTrack(QObject):
         elif cameras.frames:
             self._sources.show_source_again(self.source)
         else:
-            self._leave()
-
-    def _leave(self) -> None:
-        if self.source in self._store.state.sources:
-            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+            self._sources.remove_source(self.source)
 
 
 def _own_elements(field: Field) -> tuple[Element, ...]:

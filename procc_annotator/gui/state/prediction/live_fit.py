@@ -90,7 +90,7 @@ class LiveFit(ComputedValue[Fitted]):
     def wanted(self) -> bool:
         """Return whether the fit is on: a person wants one, and the dataset is not locked to blind
         mode, where nothing that follows from the clicks may come to guide them."""
-        return self.chosen and self._blind_lock.lock is None
+        return self.chosen and self._store.state.blind_lock is None
 
     @property
     def allowed(self) -> bool:

@@ -228,6 +228,11 @@ class CameraSourceCommands(QObject):
             active = from_files[min(index, len(from_files) - 1)] if from_files else None
         self._list(sources, active)
 
+    def remove_source(self, source: CameraSource) -> None:
+        """Forget a source, if it is listed."""
+        if source in self._store.state.sources:
+            self.remove_camera_set(self._store.state.sources.index(source))
+
     def clear_sources(self) -> None:
         """Forget all sources."""
         self._list((), None)
