@@ -166,10 +166,7 @@ class Assistant(QObject):
         ):
             points = sum(len(p.points) for p in done)
             words = tr_count(
-                points,
-                "regularised {what}: {n} point",
-                "regularised {what}: {n} points",
-                what=what,
+                points, "regularised {what}: {n} point", "regularised {what}: {n} points", what=what
             )
             services.say(_with_unconfirmed(words, len(unseen)))
 

@@ -295,7 +295,7 @@ class WorstFirst(QObject):
         pair = self._pair()
         if pair is None or services.state.workspace is None:
             services.say(
-                tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)"),
+                tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)")
             )
             return
         found = self._kept.get(self._pair_key(*pair))

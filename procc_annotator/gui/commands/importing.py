@@ -266,10 +266,7 @@ class AnnotationImporter(DialogTask):
             "\n".join(_said(outcome, self._imported.title)),
             (tr("Left as they were"), self._refused(outcome)[:_LISTED]),
             (tr("Could not be read"), self._imported.problems[:_LISTED]),
-            (
-                tr("Without a picture here ({n})", n=len(self._unmatched)),
-                self._unmatched[:_LISTED],
-            ),
+            (tr("Without a picture here ({n})", n=len(self._unmatched)), self._unmatched[:_LISTED]),
             (tr("Changed or left out"), self._imported.losses),
         )
 

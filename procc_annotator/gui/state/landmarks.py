@@ -432,11 +432,7 @@ class LandmarkTriangulation(QObject):
         }
         source = state.active
         cameras = None if source is None else source.files
-        place = DatasetPaths(
-            workspace.folder,
-            workspace.annotations,
-            tuple(workspace.index),
-        )
+        place = DatasetPaths(workspace.folder, workspace.annotations, tuple(workspace.index))
         field = state.field
         model = self._live_fit.model if self._live_fit.model != "H" else "R"
         search = TriangulationSettings(

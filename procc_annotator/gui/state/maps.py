@@ -375,12 +375,7 @@ def know_ground(fit: FitResult, field: Field) -> GroundAccuracy:
 class UncertaintyMap(ComputedValue[GroundAccuracy]):
     """The map of the live fit, once a person wants to see it."""
 
-    def __init__(
-        self,
-        store: Store,
-        live_fit: LiveFit,
-        disagreement: DisagreementMap,
-    ) -> None:
+    def __init__(self, store: Store, live_fit: LiveFit, disagreement: DisagreementMap) -> None:
         super().__init__(self._made_of, know_ground, store, enabled=False)
         self._store, self._live_fit = store, live_fit
         self._disagreement = disagreement

@@ -93,12 +93,7 @@ class OpenSequence(ComputedValue[FrameSequence]):
     """The video or the consecutive pictures that the dataset's frames are of; None for others."""
 
     def __init__(self, store: Store) -> None:
-        super().__init__(
-            self._made_of,
-            _look,
-            store,
-            stoppable=True,
-        )
+        super().__init__(self._made_of, _look, store, stoppable=True)
         self._store = store
         store.keep_current(self)
 

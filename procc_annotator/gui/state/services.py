@@ -31,14 +31,8 @@ from procc_annotator.gui.state.prediction.computed_sources import FitSource, Sho
 from procc_annotator.gui.state.prediction.ghosts import Ghosts
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import BlindLock, ReviewState
-from procc_annotator.gui.state.scoring.commands import (
-    CameraSourceCommands,
-    EvaluationSettings,
-)
-from procc_annotator.gui.state.scoring.dataset_scores import (
-    DatasetScores,
-    DatasetScoring,
-)
+from procc_annotator.gui.state.scoring.commands import CameraSourceCommands, EvaluationSettings
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScores, DatasetScoring
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
@@ -120,12 +114,7 @@ class Services(QObject):
         self.proposals = Proposals(store, self.cache)
         self.corrections = CameraCorrections(store, self.proposals)
         self.prediction = PredictionSource(
-            store,
-            self.live_fit,
-            self.review,
-            self.shot_track,
-            self.proposals,
-            self.corrections,
+            store, self.live_fit, self.review, self.shot_track, self.proposals, self.corrections
         )
         self.ghosts = Ghosts(store, self.prediction, self.review)
         self.visible_region = VisibleFieldRegion(store, self.prediction, self.scorer)

@@ -191,7 +191,7 @@ class LabelCheck(QObject):
     @property
     def fit_shown(self) -> bool:
         """Return whether findings that hang on a camera are looked for in the frame on screen."""
-        return self._live_fit.wanted and self._live_fit.allowed
+        return self._live_fit.wanted and self._store.state.projection_visible
 
     # --- the current finding ----------------------------------------------------------------
 

@@ -50,11 +50,7 @@ class BatchEdits(QObject):
     them between what else happens there."""
 
     def __init__(
-        self,
-        store: Store,
-        editing: Editing,
-        auditing: DatasetScoring,
-        parent: QObject,
+        self, store: Store, editing: Editing, auditing: DatasetScoring, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._store = store

@@ -295,11 +295,6 @@ class PredictionSource(QObject):
             signal.connect(self._look)
 
     @property
-    def allowed(self) -> bool:
-        """Return whether it may be shown: blind mode is for clicks that nothing has influenced."""
-        return self._live_fit.allowed
-
-    @property
     def wanted(self) -> bool:
         """Return whether there is a camera to go by, or a person wants one."""
         return self._live_fit.wanted or self.found is not None

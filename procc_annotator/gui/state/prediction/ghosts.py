@@ -116,7 +116,8 @@ class Ghosts(QObject):
     @property
     def suggesting(self) -> bool:
         """Return whether suggestions of what to annotate next are wanted, and may be."""
-        return self._suggesting and self._foresight.wanted and self._foresight.allowed
+        allowed = self._store.state.projection_visible
+        return self._suggesting and self._foresight.wanted and allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
         """Say what to annotate next, or do not."""
@@ -279,8 +280,8 @@ class Ghosts(QObject):
 
     @property
     def _may_come(self) -> bool:
-        foresight = self._foresight
-        return foresight.allowed and foresight.wanted and foresight.working
+        foresight, allowed = self._foresight, self._store.state.projection_visible
+        return allowed and foresight.wanted and foresight.working
 
     @property
     def _there(self) -> frozenset[str]:

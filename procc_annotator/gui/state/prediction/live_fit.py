@@ -61,11 +61,7 @@ class LiveFit(ComputedValue[Fitted]):
     """
 
     def __init__(
-        self,
-        store: Store,
-        review: ReviewState,
-        blind_lock: BlindLock,
-        judge: FrameScorer,
+        self, store: Store, review: ReviewState, blind_lock: BlindLock, judge: FrameScorer
     ) -> None:
         self._terms = _Terms(store.state.setup)
         super().__init__(
@@ -91,12 +87,6 @@ class LiveFit(ComputedValue[Fitted]):
         """Return whether the fit is on: a person wants one, and the dataset is not locked to blind
         mode, where nothing that follows from the clicks may come to guide them."""
         return self.chosen and self._store.state.blind_lock is None
-
-    @property
-    def allowed(self) -> bool:
-        """Return whether the fit may be shown: blind mode is for clicks that nothing has
-        influenced."""
-        return self._store.state.projection_visible
 
     @property
     def insight(self) -> FrameAnalysis | None:

@@ -42,18 +42,11 @@ class EvaluationSettings(QObject):
         """Change the threshold within its limits; nothing is measured again."""
         self._store.update(tau=round(min(max(tau, MIN_TAU), MAX_TAU), 1))
 
-    def set_protocol(
-        self,
-        protocol: str | None = None,
-        *,
-        off_plane: str | None = None,
-    ) -> None:
+    def set_protocol(self, protocol: str | None = None, *, off_plane: str | None = None) -> None:
         """Change the terms of the evaluation."""
         setup = self._store.state.setup
         other = replace(
-            setup,
-            protocol=protocol or setup.protocol,
-            off_plane=off_plane or setup.off_plane,
+            setup, protocol=protocol or setup.protocol, off_plane=off_plane or setup.off_plane
         )
         if other != setup:
             self._store.update(setup=other)
