@@ -315,7 +315,7 @@ class WorstFirst(QObject):
 
     def stop(self) -> None:
         """Stop what is computed of the whole set."""
-        self._services.dataset_scores.cancel()
+        self._services.scoring.cancel()
         if self._comparing.cancel():
             self.progressed.emit(0, 0)
             self._services.say(tr("stopped comparing the sources"))

@@ -32,7 +32,7 @@ from procc_annotator.gui.state.prediction.ghosts import Ghosts
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import BlindLock, ReviewState
 from procc_annotator.gui.state.scoring.commands import CameraSourceCommands, EvaluationSettings
-from procc_annotator.gui.state.scoring.dataset_scores import DatasetScores, DatasetScoring
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
@@ -67,9 +67,9 @@ class Services(QObject):
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
         self.review = ReviewState(store)
         self.saver, self.frame_lock = Saver(store), FrameLock(store)
-        self.source_frames, self.dataset_scores = SourceFrames(store), DatasetScores(store)
+        self.source_frames = SourceFrames(store)
         self.scorer = FrameScorer(store, self.source_frames)
-        self.scoring = DatasetScoring(store, self.scorer, self.source_frames, self.dataset_scores)
+        self.scoring = DatasetScoring(store, self.scorer, self.source_frames)
         store.score = self.scoring.follow
         self._make_commands()
         self._make_watches()
@@ -85,7 +85,7 @@ class Services(QObject):
         store, review = self.store, self.review
         self.selection = SelectionCommands(store)
         self.evaluation = EvaluationSettings(store, review)
-        self.camera_sources = CameraSourceCommands(store, self.scoring, self.dataset_scores, review)
+        self.camera_sources = CameraSourceCommands(store, self.scoring, review)
         self.editing = Editing(store, self.saver, self.frame_lock, review, self.scoring)
         self.outside_changes = OutsideChanges(
             store, self.editing, self.camera_sources, self.scoring

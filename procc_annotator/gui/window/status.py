@@ -317,7 +317,7 @@ class StatusReport(QObject):
         )
         services.disagreement.changed.connect(self._look_again)
         services.uncertainty.changed.connect(self._look_again)
-        services.dataset_scores.progressed.connect(self.show_scoring)
+        services.scoring.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self._show_titles()
 

@@ -24,7 +24,7 @@ from procc_annotator.gui.state.camera_sources import (
 )
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.scoring.dataset_scores import DatasetScores, DatasetScoring
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
@@ -121,12 +121,9 @@ class EvaluationSettings(QObject):
 class CameraSourceCommands(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
-    def __init__(
-        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, review: ReviewState
-    ) -> None:
+    def __init__(self, store: Store, auditing: DatasetScoring, review: ReviewState) -> None:
         super().__init__(store)
-        self._store, self._auditing = store, auditing
-        self._set_scores, self._review = set_scores, review
+        self._store, self._auditing, self._review = store, auditing, review
 
     # --- which there are ----------------------------------------------------------------------
 
@@ -193,11 +190,11 @@ class CameraSourceCommands(QObject):
         sources = list(self._store.state.sources)
         source = next((s for s in sources if same_files(s.files, cameras)), None)
         if source is not None:
-            self._set_scores.cancel()  # what it found is of the cameras before
+            self._auditing.cancel()  # what it found is of the cameras before
             cameras.name = source.name
             source.camera_set = cameras
             if changed is None:
-                self._set_scores.forget([source])
+                self._auditing.forget([source])
             else:
                 source.forget(changed)
         else:
