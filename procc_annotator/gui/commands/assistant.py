@@ -67,11 +67,6 @@ class Assistant(QObject):
         self._doing = _REGULARISING  # what is worked out
         services.store.watch(select.frame, self._leave)
 
-    @property
-    def busy(self) -> bool:
-        """Return whether something is being worked out."""
-        return self._work.running
-
     # --- regularising ---------------------------------------------------------------------
 
     def regularise_element(self) -> None:

@@ -132,12 +132,6 @@ class Compared:
     picture: MapShapes
     field: MapShapes
 
-    @property
-    def same(self) -> bool:
-        """Return whether both mean the same point by every pixel."""
-        largest = self.values.statistics.metres.maximum
-        return largest is not None and largest < _SAME_M
-
     def at(self, x: float, y: float) -> tuple[float, float] | None:
         """Metres and pixels between the two at a place of the picture, px of the evaluation size;
         between the samples in proportion, None where one of them does not count."""
@@ -160,12 +154,12 @@ class DisagreementMap(ComputedValue[Compared]):
         """Why there is nothing to be shown, or little, although a person wants to see it."""
         if problem := super().problem:
             return problem
-        found = self.value
-        if found is not None and found.values.statistics.metres.maximum is None:
+        if self.value is None:
+            return ""
+        largest = self.value.values.statistics.metres.maximum
+        if largest is None:
             return tr("The two see no part of the field in common in this frame.")
-        if found is not None and found.same:
-            return tr("Both cameras are the same in this frame.")
-        return ""
+        return tr("Both cameras are the same in this frame.") if largest < _SAME_M else ""
 
     def _made_of(self) -> Inputs | str | None:
         state = self._store.state

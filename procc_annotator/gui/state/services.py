@@ -36,7 +36,7 @@ from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
-from procc_annotator.gui.state.sequences import AnnotatedIndices, OpenSequence
+from procc_annotator.gui.state.sequences import AnnotatedIndices, open_sequence
 from procc_annotator.gui.state.state import Level, State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
@@ -103,7 +103,7 @@ class Services(QObject):
 
     def _make_watches(self) -> None:
         store = self.store
-        self.sequence = OpenSequence(store)
+        self.sequence = open_sequence(store)
         self.annotated_frames = AnnotatedIndices(store)
         self.shot_track = ShotTrack(store, self.sequence, self.camera_sources)
         self.line_widths = LineWidths(store, self.scorer)

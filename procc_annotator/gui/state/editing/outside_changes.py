@@ -28,12 +28,7 @@ class FileWatch(QObject):
     """Watches one file: it may be written, replaced, taken away and put back."""
 
     def __init__(self, parent: QObject, written: Callable[[], object]) -> None:
-        """Watch nothing yet.
-
-        Args:
-            parent: owns it.
-            written: called when the file may hold something else, or is gone.
-        """
+        """``written`` is called when the file may hold something else, or is gone."""
         super().__init__(parent)
         self._written = written
         self.path: Path | None = None
@@ -87,7 +82,11 @@ class _Newer:
 
 
 class OutsideChanges(QObject):
-    """Looks at the files of the set when a person asks, and watches that of the frame on screen."""
+    """Looks at the files of the set on request, and watches that of the frame on screen.
+
+    Attributes:
+        watch: of the annotation file of the frame on screen.
+    """
 
     def __init__(
         self,
@@ -101,11 +100,7 @@ class OutsideChanges(QObject):
         self._editing, self._sources, self._auditing = editing, sources, auditing
         self._looking = LatestOnlyTask(self, partial(say, store, level="error"))
         self._again = False
-        self._watch = FileWatch(self, editing.look_at_frame)
-
-    def watch_file(self, path: Path | None) -> None:
-        """Another frame is on screen, with this annotation file."""
-        self._watch.watch(path)
+        self.watch = FileWatch(self, editing.look_at_frame)
 
     def look(self) -> None:
         """See which files were written since they were read, in the background, and follow them;
@@ -137,7 +132,7 @@ class OutsideChanges(QObject):
 
     def close(self) -> None:
         """Look no more."""
-        self._watch.watch(None)
+        self.watch.watch(None)
         self._again = False
         self._looking.cancel()
 

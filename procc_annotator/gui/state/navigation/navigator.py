@@ -139,7 +139,7 @@ class Navigator(QObject):
         name = frame.name if frame is not None else None
         self._whole.cancel()
         self.stay()
-        self._outside.watch_file(None if frame is None else frame.annotation_path)
+        self._outside.watch.watch(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
         self._second.show(name)
         found: dict[str, object] = {

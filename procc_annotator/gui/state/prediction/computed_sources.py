@@ -9,13 +9,14 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame, TrackedCameras
+from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import ComputedValue
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.scoring.commands import CameraSourceCommands
 from procc_annotator.gui.state.scoring.frame_score import SourceFrames
-from procc_annotator.gui.state.sequences import OpenSequence
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.palette import FIT, TRACK
 
@@ -175,7 +176,9 @@ class ShotTrack(QObject):
     followed = Signal(object)  # these frames came while a shot is followed
     forgotten = Signal()  # nothing of what is under way is wanted either
 
-    def __init__(self, store: Store, sequence: OpenSequence, sources: CameraSourceCommands) -> None:
+    def __init__(
+        self, store: Store, sequence: ComputedValue[FrameSequence], sources: CameraSourceCommands
+    ) -> None:
         super().__init__(store)
         self._store, self._sequence, self._sources = store, sequence, sources
         self.tracked: dict[int, TrackedFrame] = {}
