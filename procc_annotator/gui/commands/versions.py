@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
@@ -21,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset import editing
-from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.records import OriginKind, Version
 from procc_annotator.dataset.workspace import restore_version
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.model import Field
@@ -43,23 +42,13 @@ _NO_VERSION = word("There is no earlier version of this frame.")
 _ROOT = QModelIndex()
 
 
-@dataclass(frozen=True, slots=True)
-class VersionRow:
-    """One kept version: who made it, when (seconds since 1970) and on what occasion."""
-
-    id: str
-    author: str
-    time: float
-    reason: str
-
-
 class VersionsDialog(QDialog):
     """Choose an earlier version; ``chosen_id`` is its id once the dialog was accepted."""
 
     def __init__(
         self,
         parent: QWidget | None,
-        versions: Sequence[VersionRow],
+        versions: Sequence[Version],
         preview: Callable[[str], FrameAnnotation],
         picture: PixelArray | None,
         field: Field,
@@ -147,7 +136,7 @@ class VersionsModel(QAbstractListModel):
 
     def __init__(
         self,
-        versions: Sequence[VersionRow],
+        versions: Sequence[Version],
         preview: Callable[[str], FrameAnnotation],
         current: FrameAnnotation,
     ) -> None:
@@ -268,7 +257,6 @@ class Versions:
         if workspace is None or frame is None or database is None:
             services.say(no_frame(services.state))
             return
-        rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
         index = services.state.frame_index
 
         def read(version: str) -> FrameAnnotation:
@@ -276,7 +264,7 @@ class Versions:
 
         dialog = VersionsDialog(
             self._parent,
-            rows,
+            database.versions(frame.name),
             read,
             services.navigator.picture,
             services.state.field,
