@@ -85,9 +85,9 @@ class TestShown:
     ):
         services, before = begun.services, names(begun)
         points = services.state.annotation.get(KEPT[0]).points[:2]
-        services.editing.commit_edit(
-            "draw", append_points(services.state.annotation, before[0], points)
-        )
+        edited = append_points(services.state.annotation, before[0], points)
+        with qtbot.waitSignal(services.ghosts.changed):  # after the paint
+            services.editing.commit_edit("draw", edited)
         assert services.live_fit.insight is None
         assert [g.name for g in services.ghosts.painted] == before[1:]
         assert not names(begun)  # none of them can be accepted

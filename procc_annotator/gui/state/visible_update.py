@@ -19,9 +19,12 @@ class VisibleUpdate(QObject):
     be seen nothing runs; it catches up when it is shown, or its tab is brought to the front.
     """
 
-    def __init__(self, widget: QWidget, update: Callable[[], None]) -> None:
+    def __init__(
+        self, widget: QWidget, update: Callable[[], None], requested: Callable[[], bool]
+    ) -> None:
+        """``requested``: whether a request may follow for what has changed already."""
         super().__init__(widget)
-        self._widget, self._update = widget, update
+        self._widget, self._update, self._requested = widget, update, requested
         self._stale = True
         self._timer = after_paint(self, self.run)  # it also runs for a while after each update
         widget.installEventFilter(self)
@@ -35,7 +38,7 @@ class VisibleUpdate(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()  # first: other events come while the widget is being destroyed
-        if kind == QEvent.Type.Show and self._stale:
+        if kind == QEvent.Type.Show:
             self.catch_up()
         elif kind in (QEvent.Type.Paint, QEvent.Type.Resize) and self._stale:
             self.request()
@@ -43,7 +46,7 @@ class VisibleUpdate(QObject):
 
     def catch_up(self) -> None:
         """The widget is about to be seen: update before it is painted, if anything changed."""
-        if self._stale and self._widget.isVisible():
+        if (self._stale or self._requested()) and self._widget.isVisible():
             self._run()
 
     @Slot()

@@ -23,7 +23,7 @@ from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.state import same
-from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.translation import tr
 
@@ -68,7 +68,8 @@ class Ghosts(QObject):
         self._points.failed.connect(self._say_failed)
         store.keep_current(self._points)
         foresight.changed.connect(self._look)
-        store.watch(lambda s: (select.annotation(s), s.selection), self._look)
+        store.watch(select.frame, self._look)
+        store.watch(lambda s: (s.annotation, s.selection), self._look, When.AFTER_PAINT)
         review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
