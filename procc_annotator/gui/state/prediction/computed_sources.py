@@ -193,10 +193,16 @@ class ShotTrack(QObject):
     @property
     def here(self) -> TrackedFrame | None:
         """Return what is known of the frame on screen."""
+        number = self.number_here
+        return None if number is None else self.tracked.get(number)
+
+    @property
+    def number_here(self) -> int | None:
+        """The number of the frame on screen in the sequence."""
         sequence, index = self._sequence.value, self._store.state.frame_index
         if sequence is None or not 0 <= index < len(sequence.numbers):
             return None
-        return self.tracked.get(int(sequence.numbers[index]))
+        return int(sequence.numbers[index])
 
     @property
     def fit_here(self) -> FitResult | None:
