@@ -134,11 +134,11 @@ class Landmarks(QObject):
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
 
     def __init__(
-        self, store: Store, judge: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
+        self, store: Store, scorer: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
     ) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
-        self._judge, self._live_fit = judge, live_fit
+        self._scorer, self._live_fit = scorer, live_fit
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
         self._damage = ""  # what the problem is, of the files alone
@@ -378,7 +378,7 @@ class Landmarks(QObject):
         size = state.picture_size
         if size is None or not self.file.landmarks or not state.projection_visible:
             return None
-        field, camera = self._judge.frame_setup.field, self._judge.camera
+        field, camera = self._scorer.frame_setup.field, self._scorer.camera
         if camera is not None:
             return *self._here(), field, size, camera, state.setup.size
         fit = self._live_fit.result
@@ -467,8 +467,8 @@ class LandmarkTriangulation(QObject):
             return  # it was said why
         if found and not is_there():
             title = tr(name.strip())
-            told = tr("{title} was deleted meanwhile: its place was not kept", title=title)
-            say(store, told, "warning")
+            text = tr("{title} was deleted meanwhile: its place was not kept", title=title)
+            say(store, text, "warning")
             return
         for one in located[:1]:
             if why := why_kept(landmarks.file, name, one.clicked.instant):

@@ -93,11 +93,11 @@ class OutsideChanges(QObject):
         store: Store,
         editing: Editing,
         sources: CameraSourceCommands,
-        auditing: DatasetScoring,
+        scoring: DatasetScoring,
     ) -> None:
         super().__init__(store)
         self._store = store
-        self._editing, self._sources, self._auditing = editing, sources, auditing
+        self._editing, self._sources, self._scoring = editing, sources, scoring
         self._looking = LatestOnlyTask(self, partial(say, store, level="error"))
         self._again = False
         self.watch = FileWatch(self, editing.look_at_frame)
@@ -148,8 +148,8 @@ class OutsideChanges(QObject):
         if source not in self._store.state.sources or source.camera_set is not newer.before:
             return  # removed, or loaded again meanwhile
         if newer.cameras is None:
-            told = tr("cameras of {name} changed: {why}", name=source.name, why=newer.problem)
-            say(self._store, told, "warning")
+            text = tr("cameras of {name} changed: {why}", name=source.name, why=newer.problem)
+            say(self._store, text, "warning")
             return
         self._sources.add_source(newer.cameras, active=False, changed=newer.frames)
         say(self._store, tr("cameras of {name} changed on disk: read again", name=source.name))
@@ -164,7 +164,7 @@ class OutsideChanges(QObject):
         self._editing.look_at_frame()
         others = [i for i in changed if i != here and i not in unsaved]
         if others:
-            self._auditing.frames_edited([workspace.frames[i].name for i in others])
+            self._scoring.frames_edited([workspace.frames[i].name for i in others])
             self._store.events.framesEdited.emit(others)
 
 

@@ -121,9 +121,9 @@ class EvaluationSettings(QObject):
 class CameraSourceCommands(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
-    def __init__(self, store: Store, auditing: DatasetScoring, review: ReviewState) -> None:
+    def __init__(self, store: Store, scoring: DatasetScoring, review: ReviewState) -> None:
         super().__init__(store)
-        self._store, self._auditing, self._review = store, auditing, review
+        self._store, self._scoring, self._review = store, scoring, review
 
     # --- which there are ----------------------------------------------------------------------
 
@@ -138,10 +138,10 @@ class CameraSourceCommands(QObject):
             say(self._store, str(error), "error")
             return False
         if not cameras.frames or self._only_below(cameras):
-            told = tr(
+            text = tr(
                 "{path}: no cameras in it ({what_to_do})", path=path, what_to_do=where_else(path)
             )
-            say(self._store, told, "error")
+            say(self._store, text, "error")
             return False
         source = self.add_source(cameras)
         if name is not None:
@@ -190,11 +190,11 @@ class CameraSourceCommands(QObject):
         sources = list(self._store.state.sources)
         source = next((s for s in sources if same_files(s.files, cameras)), None)
         if source is not None:
-            self._auditing.cancel()  # what it found is of the cameras before
+            self._scoring.cancel()  # what it found is of the cameras before
             cameras.name = source.name
             source.camera_set = cameras
             if changed is None:
-                self._auditing.forget([source])
+                self._scoring.forget([source])
             else:
                 source.forget(changed)
         else:
@@ -270,7 +270,7 @@ class CameraSourceCommands(QObject):
         """A source of fits has another camera for the frame on screen, or none any more."""
         if source in self._store.state.sources:
             self._show_looks()
-            self._auditing.fitted(source)
+            self._scoring.fitted(source)
 
     # --- inside -------------------------------------------------------------------------------
 

@@ -30,8 +30,8 @@ from procc_annotator.metrics.measurement import Measurement, measure_projected
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup
 
-_TELL_AFTER_S = 0.25
-_TELL_PLOTS_AFTER_S = 1.0
+_PROGRESS_S = 0.25
+_SIGNAL_S = 1.0
 
 ReadAnnotation = Callable[[], FrameAnnotation | None]
 
@@ -109,13 +109,13 @@ class DatasetScoring(QObject):
 
     progressed = Signal(int, int)  # frames of all sources audited, of how many; (0, 0): finished
 
-    def __init__(self, store: Store, judge: FrameScorer, source_frames: SourceFrames) -> None:
+    def __init__(self, store: Store, scorer: FrameScorer, source_frames: SourceFrames) -> None:
         super().__init__(store)
-        self._store, self._judge, self._source_frames = store, judge, source_frames
+        self._store, self._scorer, self._source_frames = store, scorer, source_frames
         self._set_work = LatestOnlyTask(self, self._fail)
         self._frame_work: dict[str, LatestOnlyTask] = {}
         self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
-        self._untold: dict[CameraSource, float] = {}  # since when
+        self._unsignalled: dict[CameraSource, float] = {}  # since when
         self._edited = False  # the frame on screen, since it was judged
         self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
         self._soon = after_paint(self, self.settle)
@@ -127,7 +127,7 @@ class DatasetScoring(QObject):
         return self._set_work.running
 
     def cancel(self) -> None:
-        """Stop auditing; what was found so far stays."""
+        """Stop scoring; what was found so far stays."""
         if self._set_work.stop_keep_partial():
             self._end()
 
@@ -219,7 +219,7 @@ class DatasetScoring(QObject):
             return
         if active is not None and active.files is not None:
             measured = self._measured if state.counts else None
-            shown = self._judge.shown
+            shown = self._scorer.shown
             fitted = FitCounts.of(shown.fitted_on, state.annotation)
             self._put(active, name, shown, measured, state.tau, fitted)
         others = [
@@ -241,7 +241,7 @@ class DatasetScoring(QObject):
             if source is state.active:
                 measurement = self._measured
             else:
-                terms = self._judge.frame_setup
+                terms = self._scorer.frame_setup
                 measurement = measure_projected(state.annotation, shown.projected, terms)
         self._put(source, name, shown, measurement, state.tau)
         self._source_frames.changed.emit()
@@ -249,10 +249,10 @@ class DatasetScoring(QObject):
     @property
     def _measured(self) -> Measurement | None:
         """The measurement of the annotation without a gesture in progress."""
-        state, projected = self._store.state, self._judge.shown.projected
+        state, projected = self._store.state, self._scorer.shown.projected
         if projected is None or state.preview is None:
-            return self._judge.judged[0]
-        return measure_projected(state.annotation, projected, self._judge.frame_setup)
+            return self._scorer.judged[0]
+        return measure_projected(state.annotation, projected, self._scorer.frame_setup)
 
     def _look_up(self, state: State) -> None:
         frames = state.workspace.frames if state.workspace is not None else ()
@@ -281,7 +281,7 @@ class DatasetScoring(QObject):
             return
 
         def work(control: JobControl) -> None:
-            done, told = 0, monotonic()
+            done, reported = 0, monotonic()
             for source, cameras, names in wanted:
                 for name in names:
                     if control.cancelled:
@@ -289,9 +289,9 @@ class DatasetScoring(QObject):
                     audit, problem = _audit(name, readers[name], cameras, setup, tau)
                     control.emit_partial(_Outcome(source, name, audit, problem))
                     done += 1
-                    if monotonic() - told > _TELL_AFTER_S:
+                    if monotonic() - reported > _PROGRESS_S:
                         control.progress(done, total)
-                        told = monotonic()
+                        reported = monotonic()
 
         self._set_work.start(
             work, lambda _: self._end(), progress=self._progressed, partial=self._take
@@ -365,8 +365,8 @@ class DatasetScoring(QObject):
 
     def _progressed(self, done: int, total: int) -> None:
         now = monotonic()
-        if any(now - since > _TELL_PLOTS_AFTER_S for since in self._untold.values()):
-            self._tell_changed()
+        if any(now - since > _SIGNAL_S for since in self._unsignalled.values()):
+            self._signal_changes()
         self.progressed.emit(done, total)
 
     def _take(self, outcomes: list[_Outcome]) -> None:
@@ -374,11 +374,11 @@ class DatasetScoring(QObject):
         for outcome in outcomes:
             if (outcome.source, outcome.frame) not in self._touched:
                 outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
-                self._untold.setdefault(outcome.source, now)
+                self._unsignalled.setdefault(outcome.source, now)
 
-    def _tell_changed(self) -> None:
-        untold, self._untold = self._untold, {}
-        for source in untold:
+    def _signal_changes(self) -> None:
+        unsignalled, self._unsignalled = self._unsignalled, {}
+        for source in unsignalled:
             self._notify(source)
 
     def _notify(self, source: CameraSource, frame: str = "") -> None:
@@ -389,7 +389,7 @@ class DatasetScoring(QObject):
             self._store.events.frameScoresChanged.emit(frame)
 
     def _end(self) -> None:
-        self._tell_changed()
+        self._signal_changes()
         self.progressed.emit(0, 0)
 
     def _fail(self, text: str) -> None:
