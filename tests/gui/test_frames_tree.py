@@ -9,8 +9,8 @@ from PySide6.QtCore import Qt
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames.delegate import folder_words
-from procc_annotator.gui.panels.frames.model import FolderInfo
+from procc_annotator.gui.panels.frame_delegate import folder_words
+from procc_annotator.gui.panels.frame_rows import FolderInfo
 from tests.gui.conftest import all_done
 
 

@@ -32,8 +32,8 @@ from procc_annotator.dataset import editing
 from procc_annotator.dataset.review import check_without_fit, store_check
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.elements import CHECK
-from procc_annotator.gui.window.canvas_menu import canvas_menu
+from procc_annotator.gui.panels.elements import POINTS
+from procc_annotator.gui.window.menus import canvas_menu
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
 EMPTY = "00001"
@@ -155,16 +155,16 @@ def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
     assert labels["hint"].texts == ("",)
     window.panels.show("elements")
     tree, items = window.elements.tree, window.elements._items
-    qtbot.waitUntil(lambda: not items[FRONT].icon(CHECK).isNull())
-    assert "Error: Big rect. left main is off" in items[FRONT].toolTip(CHECK)
+    qtbot.waitUntil(lambda: not items[FRONT].icon(POINTS).isNull())
+    assert "Error: Big rect. left main is off" in items[FRONT].toolTip(POINTS)
     # the sign is whole
-    qtbot.waitUntil(lambda: tree.columnWidth(CHECK) >= tree.sizeHintForColumn(CHECK))
+    qtbot.waitUntil(lambda: tree.columnWidth(POINTS) >= tree.sizeHintForColumn(POINTS))
     assert "Error: Big rect. left main is off" in window.field_map._tip(FRONT)
     at = window.canvas.to_view(*labels["hint"].positions[0].tolist())
     assert "Circle left is off" in window.finding_tips.tip_at(at + QPointF(14, 12))
     assert window.finding_tips.tip_at(at + QPointF(0, 300)) == ""
     put(window)
-    qtbot.waitUntil(lambda: items[FRONT].icon(CHECK).isNull())
+    qtbot.waitUntil(lambda: items[FRONT].icon(POINTS).isNull())
     assert not any(len(x.texts) for x in window.canvas.overlay_item.overlay.labels if x.sign)
 
 

@@ -24,7 +24,8 @@ from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.editing import delete_point
 from procc_annotator.formats.cameras.soccernet import read_camera
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots.data import PlotSources
+from procc_annotator.gui.panels.plots.page import PlotSources
+from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.prediction import live_fit
 from tests.gui.conftest import Hand, all_done, heard, let_work_end, settle
@@ -299,9 +300,9 @@ class TestSource:
         marks = {s.name: s.fitted.mark for s in services.state.sources}
         assert marks == {"kept": mark, "fit": mark}
         for row in (0, 1):
-            label = fitted.findChild(QLabel, f"cameras_model_{row}")
+            label = fitted.findChild(ElidedLabel, f"cameras_model_{row}")
             qtbot.waitUntil(lambda label=label: mark in label.toolTip())
-        request, _ = PlotSources(services).request("set", None)
+        request = PlotSources(services).request("set", None)
         assert all(source.fitted for source in request.sources)
         services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.05))
         arrive(fitted, qtbot)
@@ -311,7 +312,7 @@ class TestSource:
             "kept": other,
             "fit": mark,
         }
-        label = fitted.findChild(QLabel, "cameras_model_0")
+        label = fitted.findChild(ElidedLabel, "cameras_model_0")
         qtbot.waitUntil(lambda: other in label.toolTip())
 
     def test_three_elements_show_the_field(self, fitted, qtbot):

@@ -276,7 +276,7 @@ class TestSecondAnnotator:
     def test_both_are_drawn_and_compared(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.panels.show("agreement")
-        window.agreement.open(other)
+        window.services.second_annotator.open(other)
         qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
@@ -294,7 +294,7 @@ class TestSecondAnnotator:
             tmp_path, frame_0={MIDDLE: [(100, 103), (300, 103)], TOP: [(400, 200), (500, 100)]}
         )
         window.panels.show("agreement")
-        window.agreement.open(folder)
+        window.services.second_annotator.open(folder)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 2)
         cells = [[table.model().index(row, column).data() for column in range(4)] for row in (0, 1)]
@@ -312,7 +312,7 @@ class TestSecondAnnotator:
         folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
         (folder / "frame_1.json").write_text("{")
         window.panels.show("agreement")
-        window.agreement.open(folder)
+        window.services.second_annotator.open(folder)
         panel = window.agreement
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
         assert "Human noise over 1 frame:" in panel.noise.text()
@@ -357,7 +357,7 @@ class TestSecondAnnotator:
         file.write_text(json.dumps({"version": "5.0", "shapes": [shape], **size}))
         before = file.read_bytes()
         (folder / "labels.toml").write_text(f'[labels]\n"centre" = "{MIDDLE}"\n')
-        window.agreement.open(folder)
+        window.services.second_annotator.open(folder)
         assert not window.services.second_annotator.is_open  # it is read in the background
         all_done(qtbot)
         table = window.agreement.table
@@ -369,7 +369,7 @@ class TestSecondAnnotator:
 
     def test_closing_it_takes_everything_away(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (200, 103))
-        window.agreement.open(other)
+        window.services.second_annotator.open(other)
         qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
         window.services.second_annotator.close()
         qtbot.waitUntil(lambda: window.services.state.noise_floor is None)
@@ -378,11 +378,11 @@ class TestSecondAnnotator:
     def test_a_folder_without_annotations_is_one_message(self, window, tmp_path, qtbot):
         empty = tmp_path / "empty"
         empty.mkdir()
-        window.agreement.open(empty)
+        window.services.second_annotator.open(empty)
         all_done(qtbot)
         assert "no annotation" in window.message_bar.label.text()
         (empty / "match_info.json").write_text('{"match": "BRA-GER"}')
-        window.agreement.open(empty)
+        window.services.second_annotator.open(empty)
         all_done(qtbot)
         assert "match_info.json holds no list of points" in window.message_bar.label.text()
 

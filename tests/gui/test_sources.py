@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.cameras.sources import SourceRow
+from procc_annotator.gui.panels.camera_sources import SourceRow
+from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interaction.palette import SOURCE_COLOURS
@@ -142,7 +143,7 @@ class TestRows:
             label = child(audited, QLabel, f"cameras_jac_{index}")
             qtbot.waitUntil(lambda label=label, text=expected: label.text() == text)
         assert child(audited, QLabel, "cameras_matched_1").text() == "5 of 6 (83 %)"
-        assert child(audited, QLabel, "cameras_model_1").text() == "pinhole P"
+        assert child(audited, ElidedLabel, "cameras_model_1").text() == "pinhole P"
         audited.services.evaluation.set_tau(12.0)
         expected = f"JaC {mean_jac(audited, 'bad', 12.0):.3f}"
         assert expected != f"JaC {mean_jac(audited, 'bad', 5.0):.3f}"

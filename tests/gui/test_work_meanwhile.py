@@ -181,10 +181,11 @@ def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
     window = make_window(dataset)
     let_work_end(qtbot)
     if how == "another annotator":
-        window.agreement.open(tmp_path / "second")
+        window.services.second_annotator.open(tmp_path / "second")
         qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
     with busy():
-        window.agreement.open(tmp_path / "second" if how != "another annotator" else other)
+        folder = "second" if how != "another annotator" else other
+        window.services.second_annotator.open(tmp_path / folder)
         if how == "closed":
             window.services.second_annotator.close()
         elif how == "another dataset":
