@@ -464,7 +464,7 @@ def settle(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until everything computed in the background has arrived."""
     services = window.services
     qtbot.waitUntil(lambda: not services.scoring.waiting)
-    qtbot.waitUntil(lambda: not services.dataset_scores.running)
+    qtbot.waitUntil(lambda: not services.scoring.running)
     qtbot.waitUntil(
         lambda: all(services.source_frames.of(s) is not None for s in services.state.sources)
     )

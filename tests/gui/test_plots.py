@@ -41,7 +41,7 @@ def plotted(make_window, sample, qtbot) -> MainWindow:
         assert window.services.camera_sources.load_cameras(sample / "cameras" / name)
     window.services.camera_sources.set_active_camera(1)
     window.services.navigator.go_to(1)
-    qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.services.scoring.running, timeout=20_000)
     window.panels.show("plots")
     return window
 
@@ -394,7 +394,7 @@ class TestLooks:
     def test_pyqtgraph_waits_until_the_plots_are_looked_at(self, make_window, sample, qtbot):
         window = make_window(sample)
         window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
-        qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
+        qtbot.waitUntil(lambda: not window.services.scoring.running, timeout=20_000)
         all_done(qtbot)
         assert not window.plots._made
         window.panels.show("plots")

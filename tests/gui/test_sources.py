@@ -63,7 +63,7 @@ class TestAudits:
         services = audited.services
         before = dict(source(audited, "bad").audits)
         services.camera_sources.set_active_camera(1)
-        assert not services.dataset_scores.running
+        assert not services.scoring.running
         assert source(audited, "bad").audits == before
         assert dict(services.scoring.frame_scores) == {
             name: audit.jac_at(services.state.tau) for name, audit in before.items()
@@ -148,7 +148,7 @@ class TestRows:
         expected = f"JaC {mean_jac(audited, 'bad', 12.0):.3f}"
         assert expected != f"JaC {mean_jac(audited, 'bad', 5.0):.3f}"
         qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
-        assert not audited.services.dataset_scores.running  # nothing was computed for it
+        assert not audited.services.scoring.running  # nothing was computed for it
 
     def test_rows_keep_their_height_where_the_panel_is_low(self, audited, annotated, qtbot):
         assert audited.services.camera_sources.load_cameras(annotated / "cameras" / "homography")

@@ -35,7 +35,7 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     window.services.camera_sources.set_active_camera(
         next(i for i, s in enumerate(window.services.state.sources) if s.name == "bad")
     )
-    qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.services.scoring.running, timeout=20_000)
     all_done(qtbot)
     return window
 

@@ -228,7 +228,7 @@ def test_an_older_check_does_not_replace_a_newer_one(make_window, dataset, qtbot
     services.live_fit.set_wanted(True)  # from now on the check is that of the fit
     Hand(window).draw(BOTTOM, (100, 300), (200, 300))
     services.store.events.aboutToLeave.emit()
+    slow.go.set()  # one check runs at a time: the newer one waits for the older
     qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
-    slow.go.set()
     let_work_end(qtbot)
     assert services.label_check.checked is not None
