@@ -90,7 +90,7 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
 class TestBlind:
     def test_distances_to_a_second_annotator_are_hidden(self, audited, second_annotator, qtbot):
         panel, services = audited.agreement, audited.services
-        panel.open(second_annotator)
+        panel._services.second_annotator.open(second_annotator)
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
         services.blind_lock.set_blind(True)
         qtbot.waitUntil(lambda: panel.rows.rowCount() == 0)

@@ -108,7 +108,9 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(make_window, data
     window.panels.show("scores")
 
     def why() -> str:
-        return next((r.why for r in window.scores.model.rows if r.class_name == "ball"), "")
+        return next(
+            (r.element.sentence for r in window.scores.model.rows if r.class_name == "ball"), ""
+        )
 
     qtbot.waitUntil(lambda: why() != "")
     assert why().startswith("The ball is missed")

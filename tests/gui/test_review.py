@@ -329,7 +329,7 @@ class TestSecondAnnotator:
     def test_the_table_fits_a_narrow_panel(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (120, 103))
         panel = window.agreement
-        panel.open(other)
+        window.services.second_annotator.open(other)
         window.panels.show("agreement")
         all_done(qtbot)
         table = panel.table
