@@ -73,7 +73,7 @@ class FieldDimensionsDialog(TaskDialog):
     def __init__(self, parent: QWidget, field: Field) -> None:
         title = tr("Field dimensions: {field}", field=tr(field.title))
         super().__init__(parent, "fieldDimensionsDialog", title)
-        self._field = field
+        self.field = field
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
         self.rules: dict[str, QLabel] = {}
@@ -126,10 +126,10 @@ class FieldDimensionsDialog(TaskDialog):
         self.lines_box.setToolTip(tr(_LINES_TIP))
         for lines, words in _LINES:
             self.lines_box.addItem(tr(words), lines)
-        self.lines_box.setCurrentIndex(self.lines_box.findData(self._field.lines))
+        self.lines_box.setCurrentIndex(self.lines_box.findData(self.field.lines))
         self.lines_box.currentIndexChanged.connect(self._changed)
         form.addRow(tr("Clicks lie on:"), self.lines_box)
-        form.setRowVisible(self.lines_box, has_off_centre_markings(self._field))
+        form.setRowVisible(self.lines_box, has_off_centre_markings(self.field))
         return form
 
     @property
@@ -218,8 +218,8 @@ class FieldDimensionsDialog(TaskDialog):
         self.chosen.emit()
 
     def _tell_broken(self) -> None:
-        values = {d.name: d.value for d in self._field.dimensions} | self.values
-        self._broken = violated_relation(self._field.relations, values)
+        values = _values(self.field) | self.values
+        self._broken = violated_relation(self.field.relations, values)
         told = self._broken[:1].upper() + self._broken[1:]
         show_note(self.broken, f"<b>{escape(told)}</b>" if told else "")
 
@@ -229,11 +229,15 @@ class FieldDimensionsDialog(TaskDialog):
         notes = [tr(_OWN, nominal=nominal)] if own else []
         if self.lines == MIDDLE_LINE:
             notes.append(tr(_AT_MIDDLE))
-        if (stadiums := self._field.stadiums) is not None:
+        if (stadiums := self.field.stadiums) is not None:
             frames = tr_count(len(stadiums.frames), "{n} frame", "{n} frames")
             known = tr_count(len(stadiums.dimensions), "{n} stadium", "{n} stadiums")
             notes.append(tr(_STADIUMS, frames=frames, stadiums=known))
         show_note(self.note, "\n".join(notes))
+
+
+def _values(field: Field) -> dict[str, float]:
+    return {d.name: d.value for d in field.dimensions}
 
 
 def _within(dimension: Dimension) -> str:
@@ -278,9 +282,6 @@ class FieldDimensionsTask(DialogTask):
 
     def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(services, parent)
-        self._before: dict[str, float] = {}
-        self._lines_before = MEASURED_LINE
-        self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
         services.store.watch(select.field, self._leave_other_field)
@@ -298,14 +299,11 @@ class FieldDimensionsTask(DialogTask):
         if self.dialog is not None:
             self.dialog.raise_()
         else:
-            self._field_name = services.state.field.name
-            self._before = {d.name: d.value for d in services.state.field.dimensions}
-            self._lines_before = services.state.field.lines
             self.dialog = dialog = FieldDimensionsDialog(self._parent, services.state.field)
             dialog.chosen.connect(self._settled.start)
             dialog.estimate_button.clicked.connect(self._toggle)
             dialog.accepted.connect(self._keep)
-            dialog.rejected.connect(self._take_back)
+            dialog.rejected.connect(partial(self._take_back, dialog.field))
         self.dialog.show()
         self.dialog.activateWindow()
 
@@ -368,21 +366,20 @@ class FieldDimensionsTask(DialogTask):
         self._settled.stop()
         if self.dialog is None or self.dialog.breaks_a_rule:  # the field stays as it was
             return
-        dialog, values = self.dialog, self._before | self.dialog.values
+        dialog, values = self.dialog, _values(self.dialog.field) | self.dialog.values
         self._services.field_choice.resize(values, lines=dialog.lines, keep=keep)
 
     def _keep(self) -> None:
         self._use(keep=True)
         self._leave()
 
-    def _take_back(self) -> None:
+    def _take_back(self, before: Field) -> None:
         self._leave()
-        choice = self._services.field_choice
-        choice.resize(self._before, lines=self._lines_before, keep=False)
+        self._services.field_choice.resize(_values(before), lines=before.lines, keep=False)
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""
-        if self.dialog is not None and self._services.state.field.name != self._field_name:
+        if self.dialog is not None and self._services.state.field.name != self.dialog.field.name:
             self._leave()
 
     def _leave(self) -> None:

@@ -417,8 +417,8 @@ class BlindLock(QObject):
         """Lock the dataset, for everybody who annotates it, or unlock it; written down either
         way."""
         review = self._review
-        if why := no_frame(self._store.state):
-            say(self._store, why, "warning")
+        if review.database is None:
+            say(self._store, no_frame(self._store.state), "warning")
             return
         events = self._events()
         if locked != (lock_of(events) is not None):
