@@ -58,7 +58,7 @@ def window(make_window, dataset, qtbot) -> MainWindow:
     window.triage.mark("camera")
     services.navigator.go_to(services.state.workspace.index[HERE])
     qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
-    settle(window, qtbot)
+    settle(window.services, qtbot)
     window.triage.mark("camera")
     for name in ("scores", "fit", "cameras"):
         window.panels.show(name)
@@ -299,7 +299,7 @@ def blind(make_window, dataset, qtbot) -> MainWindow:
     services.blind_lock.set_blind(True)
     assert services.camera_sources.load_cameras(dataset / "cameras" / "bad")
     services.navigator.go_to(services.state.workspace.index[HERE])
-    settle(window, qtbot)
+    settle(window.services, qtbot)
     return window
 
 

@@ -124,7 +124,7 @@ class TestWireframes:
         audited.services.camera_sources.set_source_colour(named(audited, "bad"), MAGENTA)
         before = audited.canvas.comparison.wireframes
         audited.services.navigator.next_frame()
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         after = audited.canvas.comparison.wireframes
         assert len(after.strokes) == len(before.strokes)
         assert not np.array_equal(after.strokes[0].segments, before.strokes[0].segments)
@@ -203,7 +203,7 @@ class TestKeysHeldElsewhere:
             radio.setFocus(Qt.FocusReason.TabFocusReason)
         else:
             QTest.mouseClick(window.findChild(QLineEdit, "frames_filter"), LEFT)
-        settle(window, qtbot)
+        settle(window.services, qtbot)
         focused = QApplication.focusWidget()
         assert focused is not None
         assert focused is not window.canvas
@@ -354,7 +354,7 @@ class TestSplit:
         canvas, split = audited.canvas, audited.canvas.comparison.split
         x = split.x
         hand.key(Qt.Key.Key_D)
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         assert split.shown
         canvas.set_scale(2.0)
         grip_before = split.grip.pos()

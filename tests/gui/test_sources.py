@@ -91,7 +91,7 @@ class TestAudits:
     def test_terms_apply_to_every_source(self, audited, qtbot):
         services = audited.services
         services.evaluation.set_protocol("procc")
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         for name in ("true", "bad"):
             assert source(audited, name).audits[services.state.frame.name].jac_at(
                 services.state.tau
@@ -102,7 +102,7 @@ class TestAudits:
         window = make_window(annotated)
         window.services.live_fit.set_wanted(False)
         window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
-        settle(window, qtbot)
+        settle(window.services, qtbot)
         (bad,) = window.services.state.sources
         assert list(bad.problems) == ["00003"]
         assert "camera_00003.json" in bad.problems["00003"]
@@ -152,7 +152,7 @@ class TestRows:
     def test_rows_keep_their_height_where_the_panel_is_low(self, audited, annotated, qtbot):
         assert audited.services.camera_sources.load_cameras(annotated / "cameras" / "homography")
         audited.services.camera_sources.set_active_camera(0)
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         panel = audited.cameras
         qtbot.waitUntil(lambda: len(panel.list.rows) == 4)
         panel.setMaximumHeight(220)
@@ -259,7 +259,7 @@ class TestMemory:
         found = [(s.name, s.colour, s.visible) for s in again.services.state.sources]
         assert found == [(s.name, s.colour, s.visible) for s in services.state.sources]
         assert again.services.state.active.name == "worse"
-        settle(again, qtbot)
+        settle(again.services, qtbot)
         assert again.services.state.active.audits
 
     def test_what_is_not_there_any_more_is_told(self, audited, annotated, make_window, qtbot):
@@ -313,7 +313,7 @@ class TestMemory:
         for path in (annotated / "cameras" / "bad").glob("*.json"):
             shutil.copy(annotated / "cameras" / "true" / path.name, path)
         services.camera_sources.load_cameras(annotated / "cameras" / "bad")
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         assert len(services.state.sources) == 3
         assert services.state.active is bad
         assert bad.mean_jac(5.0) > before
@@ -331,7 +331,7 @@ class TestUnreadable:
         for name in ("true", "bad"):
             assert window.services.camera_sources.load_cameras(folder.parent / name)
         window.services.navigator.go_to(1)
-        settle(window, qtbot)
+        settle(window.services, qtbot)
         return window
 
     def test_the_row_counts_and_names_them(self, damaged, qtbot):
