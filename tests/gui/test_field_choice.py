@@ -1,10 +1,6 @@
 """Choosing the field of a dataset in the real window: menu, guess, mismatch, own files."""
 
-import json
-import os
 import shutil
-import threading
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
@@ -12,41 +8,15 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.layout import FIELD_FILE
-from procc_annotator.field.load import builtin_field_file, field_titles, load_field
-from procc_annotator.field.model import Field
+from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import heard, let_work_end
+from tests.gui.conftest import heard
+from tests.gui.own_field import YARD, annotate
 
 pytestmark = [
     pytest.mark.new_window,  # the field of a window is the next dataset's
 ]
-
-YARD = """
-name = "yard"
-title = "Yard"
-[dimensions]
-length = { title = "Length", nominal = 20, minimum = 18, maximum = 22 }
-width = { title = "Width", nominal = 10, minimum = 10, maximum = 10 }
-[[elements]]
-name = "fence"
-title = "Fence"
-group = "Lines"
-colour = "#ff0000"
-shortcut = "1"
-kind = "line"
-start = ["-length / 2", "5", "0"]
-end = ["length / 2", "5", "0"]
-[[elements]]
-name = "gate"
-title = "Gate"
-group = "Lines"
-colour = "#00ff00"
-shortcut = "D"
-kind = "line"
-start = ["0", "-5", "0"]
-end = ["0", "5", "0"]
-"""
 
 
 def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
@@ -57,11 +27,6 @@ def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
     action.trigger()
     qtbot.waitUntil(lambda: f"from now on: {title}" in " ".join(told), timeout=20_000)
     assert window.services.state.field.title == title
-
-
-def annotate(folder: Path, name: str, classes: list[str]) -> None:
-    points = [{"x": 0.2, "y": 0.4}, {"x": 0.6, "y": 0.5}]
-    (folder / f"{name}.json").write_text(json.dumps(dict.fromkeys(classes, points)))
 
 
 def listed(window: MainWindow) -> set[str]:
@@ -97,17 +62,6 @@ def test_everything_follows_the_field_and_nothing_is_lost(window, hand, qtbot, d
     qtbot.waitUntil(lambda: "Side line top" in listed(window))
 
 
-def test_the_dataset_remembers_its_field(window, qtbot, dataset, tmp_path):
-    choose(window, "Volleyball", qtbot)
-    other = tmp_path / "other"
-    other.mkdir()
-    (dataset / "frame_0.png").rename(other / "frame_0.png")
-    assert window.services.opening.open_path(other)
-    assert window.services.state.field.name == "soccer"
-    assert window.services.opening.open_path(dataset)
-    assert window.services.state.field.name == "volleyball"
-
-
 def test_points_that_are_not_finished_are_finished_first(window, hand, qtbot, saved):
     window.services.selection.select_class("Middle line")
     hand.click(100, 100)
@@ -115,121 +69,6 @@ def test_points_that_are_not_finished_are_finished_first(window, hand, qtbot, sa
     choose(window, "Tennis", qtbot)
     assert len(saved("Middle line")) == 2
     assert window.services.state.selected_class == "Middle line"  # it is here, so it can be edited
-
-
-def asked(window: MainWindow) -> bool:
-    bar = window.field_bar
-    return bar.isVisible() and bar.label.text().startswith("Is this Basketball (FIBA)?")
-
-
-def test_a_new_dataset_is_asked_about_by_its_classes(make_window, dataset, qtbot):
-    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
-    annotate(dataset, "frame_1", names)
-    window = make_window(dataset)
-    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    assert window.services.state.field.name == "soccer"  # nobody said so yet
-    window.services.navigator.next_frame()
-    let_work_end(qtbot)
-    assert asked(window)
-    window.field_bar.switch_button.click()
-    assert window.services.state.field.name == "basketball_fiba"
-    assert window.field_bar.isHidden()
-    window.services.opening.open_path(dataset)
-    assert window.services.state.field.name == "basketball_fiba"  # at once: it is remembered
-
-
-def test_a_no_holds_for_a_frame_that_is_still_looked_at(make_window, dataset, qtbot):
-    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
-    annotate(dataset, "frame_0", names)
-    annotate(dataset, "frame_1", names[:3])
-    window = make_window(dataset)
-    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    window.services.navigator.next_frame()
-    window.field_bar.no_button.click()
-    let_work_end(qtbot)
-    assert window.field_bar.isHidden()
-
-
-def test_a_no_is_remembered(make_window, dataset, qtbot):
-    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
-    annotate(dataset, "frame_0", names)
-    window = make_window(dataset)
-    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    assert window.field_bar.no_button.text() == "No, Soccer"
-    window.field_bar.no_button.click()
-    let_work_end(qtbot)
-    assert window.services.state.field.name == "soccer"
-    assert window.field_bar.isHidden()
-    window.services.opening.open_path(dataset)
-    let_work_end(qtbot)
-    assert not asked(window)
-
-
-@pytest.mark.parametrize("classes", [[], ["Middle line", "Side line top"], ["bench", "dugout"]])
-def test_nothing_is_asked_where_soccer_fits_or_nothing_does(make_window, dataset, qtbot, classes):
-    annotate(dataset, "frame_1", classes)
-    window = make_window(dataset)
-    let_work_end(qtbot)
-    assert window.services.field_choice.question is None
-    assert window.field_bar.isHidden()
-
-
-def test_a_field_that_clashes_with_a_landmark_is_told(make_window, dataset, qtbot):
-    names = [e.name for e in load_field("basketball_fiba").elements[:5]]
-    annotate(dataset, "frame_1", names[:4])
-    path = dataset / "landmarks.json"
-    path.write_text(json.dumps({"landmarks": [{"name": names[4], "position": [1, 2, -3]}]}))
-    window = make_window(dataset)
-    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    window.field_bar.switch_button.click()
-    assert "has the name of a class" in window.message_bar.label.text()
-    assert window.services.state.field.name == "soccer"
-    # Nothing was chosen: once the landmark is gone it can be.
-    path.unlink()
-    assert window.services.opening.open_path(dataset)
-    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    window.field_bar.switch_button.click()
-    assert window.services.state.field.name == "basketball_fiba"
-
-
-def test_no_work_outlives_a_window_that_is_closed(make_window, dataset, monkeypatch):
-    annotate(dataset, "frame_1", ["Middle line"])
-    began, may_go_on, ended = threading.Event(), threading.Event(), threading.Event()
-
-    def slow(*_: object) -> None:
-        began.set()
-        may_go_on.wait(10)
-        ended.set()
-
-    monkeypatch.setattr("procc_annotator.gui.state.navigation.field_choice.mismatch_among", slow)
-    window = make_window(dataset)
-    assert began.wait(10)
-    threading.Timer(0.05, may_go_on.set).start()
-    window.services.field_choice.close()
-    assert ended.is_set()
-
-
-def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(window, dataset, qtbot):
-    choose(window, "Soccer", qtbot)
-    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
-    annotate(dataset, "frame_0", names)
-    assert window.services.opening.open_path(dataset)
-    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
-    assert window.services.state.field.name == "soccer"
-    text = window.field_bar.label.text()
-    assert "Soccer does not know any of the 4 classes" in text
-    assert "Basketball (FIBA) knows all" in text
-    assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
-    window.services.navigator.next_frame()
-    assert window.field_bar.isHidden()
-    window.services.navigator.previous_frame()
-    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
-    window.field_bar.close_button.click()
-    assert window.field_bar.isHidden()
-    window.services.navigator.next_frame()
-    window.services.navigator.previous_frame()
-    let_work_end(qtbot)
-    assert window.field_bar.isHidden()  # somebody does not want to hear of it
 
 
 def test_one_key_switches_to_the_field_that_fits(window, dataset, qtbot):
@@ -241,87 +80,6 @@ def test_one_key_switches_to_the_field_that_fits(window, dataset, qtbot):
     QTest.keyClick(window, Qt.Key.Key_F, keys)
     qtbot.waitUntil(lambda: window.services.state.field.name == "tennis", timeout=20_000)
     qtbot.waitUntil(lambda: window.field_bar.isHidden())
-
-
-def test_spellings_follow_the_field(make_window, dataset, qtbot):
-    annotate(dataset, "frame_0", ["Goal left post left"])  # the official name ends in a space
-    window = make_window(dataset)
-    services = window.services
-    assert services.state.annotation.annotated == ("Goal left post left ",)
-    services.evaluation.set_field(load_field("tennis"))
-    assert services.opening.open_path(dataset)
-    assert services.state.annotation.annotated == ("Goal left post left",)
-    services.evaluation.set_field(load_field("soccer"))
-    assert services.state.annotation.annotated == ("Goal left post left ",)
-    assert not services.state.workspace.dirty_frames()
-
-
-def test_what_showing_a_field_takes_is_worked_out_before(make_window, dataset, qtbot):
-    services = make_window(dataset).services
-    order: list[tuple[str, bool]] = []
-
-    def note(field: Field) -> None:
-        order.append((field.name, threading.current_thread() is threading.main_thread()))
-
-    services.field_choice.preparing.append(note)
-    services.store.watch(lambda s: s.field, lambda: note(services.state.field))
-    services.field_choice.choose("tennis")
-    qtbot.waitUntil(lambda: len(order) == 2, timeout=20_000)
-    services.field_choice.resize({"line_width": 0.04})
-    qtbot.waitUntil(lambda: len(order) == 4, timeout=20_000)
-    assert order == [("tennis", False), ("tennis", True)] * 2
-
-
-@pytest.mark.parametrize("replaced", [False, True])
-def test_a_file_of_ones_own_is_read_as_it_is_written(make_window, dataset, qtbot, replaced):
-    path = dataset / FIELD_FILE
-    path.write_text(YARD)
-    window = make_window(dataset)
-    services = window.services
-    assert services.state.field.title == "Yard"
-    services.field_choice.resize({"length": 21})
-    qtbot.waitUntil(lambda: services.state.field.described == "yard 21 x 10 m")
-
-    def write(text: str) -> None:
-        if not replaced:
-            path.write_text(text)
-            return
-        new = path.with_suffix(".new")
-        new.write_text(text)
-        os.replace(new, path)
-
-    write(YARD.replace('title = "Gate"', 'title = "Great gate"'))
-    qtbot.waitUntil(lambda: services.state.field.title_of("gate") == "Great gate", timeout=20_000)
-    assert services.state.field.described == "yard 21 x 10 m"
-    write(YARD.replace('"length / 2", "5"', '"lenght / 2", "5"'))
-    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
-    text = window.field_bar.label.text()
-    assert str(path) in text
-    assert "element 'fence'.end" in text
-    assert "did you mean 'length'" in text
-    assert services.state.field.title_of("gate") == "Great gate"  # the last good one stays
-    write(YARD)
-    qtbot.waitUntil(lambda: services.state.field.title_of("gate") == "Gate", timeout=20_000)
-    assert window.field_bar.isHidden()
-
-
-def test_a_broken_file_is_waited_for(make_window, dataset, qtbot):
-    (dataset / FIELD_FILE).write_text("name = ")
-    window = make_window(dataset)
-    assert window.services.state.field.name == "soccer"
-    assert FIELD_FILE in window.field_bar.label.text()
-    assert not window.field_bar.isHidden()
-    (dataset / FIELD_FILE).write_text(YARD)
-    qtbot.waitUntil(lambda: window.services.state.field.name == "yard", timeout=20_000)
-    assert window.field_bar.isHidden()
-
-
-def test_the_file_in_the_dataset_decides(make_window, dataset, qtbot):
-    (dataset / FIELD_FILE).write_text(YARD)
-    window = make_window(dataset)
-    window.services.field_choice.choose("tennis")
-    assert "move that file away" in window.message_bar.label.text()
-    assert window.services.state.field.name == "yard"
 
 
 def test_files_used_before_are_offered(window, tmp_path, qtbot):
@@ -380,26 +138,6 @@ def test_a_reload_leaves_what_is_being_drawn(make_window, hand_on, dataset, qtbo
     assert not window.canvas.editor.drawing
 
 
-def test_where_a_file_decides_no_other_field_is_offered(make_window, dataset, qtbot, monkeypatch):
-    court = load_field("basketball_fiba")
-    text = builtin_field_file("basketball_fiba").read_text()
-    first = f'name = "{court.elements[0].name}"'
-    assert first in text
-    (dataset / FIELD_FILE).write_text(text.replace(first, 'name = "another line"'))
-    annotate(dataset, "frame_0", [court.elements[0].name])
-    monkeypatch.chdir(dataset.parent)
-    window = make_window(Path(dataset.name))
-    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
-    told = window.field_bar.label.text()
-    assert "Basketball (FIBA) of field.toml does not know" in told
-    assert "program's own Basketball (FIBA) knows all, but field.toml" in told
-    assert window.field_bar.switch_button.isHidden()
-    assert not window.field_bar.close_button.isHidden()
-    menu = window.actions_.menus["File/Field"]
-    menu.aboutToShow.emit()
-    assert [a.text() for a in menu.actions() if a.isChecked()] == ["field.toml"]
-
-
 def test_a_refused_choice_is_told_until_work_goes_on(make_window, dataset, tmp_path, qtbot):
     (dataset / FIELD_FILE).write_text(YARD)
     window = make_window(dataset)
@@ -415,15 +153,6 @@ def test_a_refused_choice_is_told_until_work_goes_on(make_window, dataset, tmp_p
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     assert "field.toml" not in [a.text() for a in menu.actions()]  # it is gone
-
-
-def test_a_path_is_told_as_it_is_written(make_window, dataset):
-    (dataset / FIELD_FILE).write_text("name = ")
-    window = make_window(dataset)
-    window.field_bar.tell("clips/field.toml: line 1")
-    assert window.field_bar.label.text() == "clips/field.toml: line 1."
-    window.field_bar.tell("the field is gone")
-    assert window.field_bar.label.text() == "The field is gone."
 
 
 def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset, qtbot):
