@@ -11,7 +11,7 @@ from procc_annotator.cli.main import app
 from procc_annotator.field.load import load_field
 from procc_annotator.gui import field_preview
 from procc_annotator.gui.field_preview import FieldPreview
-from tests.gui.test_field_choice import YARD
+from tests.gui.state.test_field_choice import YARD
 
 
 @pytest.fixture
