@@ -330,7 +330,7 @@ def draw(services: Services, name: str, *points: tuple[float, float]) -> bool:
     """Draw an element through points (u, v), as finished clicks do; True once it is saved, False if
     the frame cannot be edited."""
     drawn = Polyline(name, tuple(Point(u, v) for u, v in points or LINE))
-    done = services.editing.edit("draw", lambda seen: seen.with_polyline(drawn))
+    done = services.editing.edit(f"draw {name}", lambda seen: seen.with_polyline(drawn))
     services.saver.settle()
     return done
 
