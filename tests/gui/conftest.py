@@ -302,6 +302,12 @@ def services(open_services, dataset) -> Services:
 
 
 @pytest.fixture
+def said(services) -> list[str]:
+    """The messages from now on, in order; the last one is shown."""
+    return heard(services)
+
+
+@pytest.fixture
 def widget(qtbot) -> QWidget:
     """The parent of the dialogs that commands open."""
     parent = QWidget()
