@@ -498,20 +498,31 @@ def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: window.services.live_fit.insight is not None)
 
 
+def audit(services: Services, folder: Path, qtbot: QtBot) -> None:
+    """Score the sample under three sources, the first one active; there is no live fit, which would
+    be a fourth source."""
+    services.live_fit.set_wanted(False)
+    for name in ("true", "bad", "pinhole"):
+        assert services.camera_sources.load_cameras(folder / "cameras" / name)
+    services.camera_sources.set_active_camera(0)
+    services.navigator.go_to(1)
+    settle(services, qtbot)
+
+
 @pytest.fixture
 def audited(make_window, annotated, qtbot) -> MainWindow:
-    """The window on the sample with three sources, all frames audited; the first one is active.
-
-    There is no live fit, which would be a fourth source.
-    """
+    """The window on the sample with three sources, all frames audited."""
     window = make_window(annotated)
-    window.services.live_fit.set_wanted(False)
-    for name in ("true", "bad", "pinhole"):
-        assert window.services.camera_sources.load_cameras(annotated / "cameras" / name)
-    window.services.camera_sources.set_active_camera(0)
-    window.services.navigator.go_to(1)
-    settle(window.services, qtbot)
+    audit(window.services, annotated, qtbot)
     return window
+
+
+@pytest.fixture
+def scored(open_services, annotated, qtbot) -> Services:
+    """The same without a window."""
+    services = open_services(annotated)
+    audit(services, annotated, qtbot)
+    return services
 
 
 def until_kept() -> None:
