@@ -322,8 +322,9 @@ def show(qtbot) -> Callable[[T], T]:
     def shown(widget: T) -> T:
         qtbot.addWidget(widget)
         widget.resize(420, 480)
-        with qtbot.waitExposed(widget):
+        with qtbot.waitActive(widget):  # or it would not have the keyboard
             widget.show()
+            widget.activateWindow()
         return widget
 
     return shown

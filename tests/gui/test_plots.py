@@ -412,7 +412,7 @@ class TestLooks:
     def test_pyqtgraph_waits_until_the_plots_are_looked_at(self, make_window, sample, qtbot):
         window = make_window(sample)
         window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
-        qtbot.waitUntil(lambda: not window.services.dataset_scores.running, timeout=20_000)
+        qtbot.waitUntil(lambda: not window.services.dataset_scores.running)
         all_done(qtbot)
         assert not window.plots._made
         window.panels.show("plots")
