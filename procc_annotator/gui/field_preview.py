@@ -21,7 +21,7 @@ from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings, take_up
 from procc_annotator.gui.state.background import LatestOnlyTask
-from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.editing.outside_changes import FileWatch
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 
@@ -80,8 +80,7 @@ class FieldPreview(QMainWindow):
         self.remarks.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._assemble()
         self._reading = LatestOnlyTask(self, self.problem_bar.tell)
-        self._watch = FileWatch(self)
-        self._watch.changed.connect(self.read)
+        self._watch = FileWatch(self, self.read)
         if Path(source).suffix.lower() == ".toml":
             self._watch.watch(Path(source).absolute())
         self.setWindowTitle(str(source))

@@ -9,23 +9,22 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.commands.elements.assistant import Assistant
-from procc_annotator.gui.commands.elements.element_edits import ElementEdits, Naming
-from procc_annotator.gui.commands.elements.ghosts import GhostCommands
-from procc_annotator.gui.commands.field.field_choosing import FieldBar, FieldChoosing
-from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsTask
-from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
-from procc_annotator.gui.commands.files.exporting import ExportAs, Exporter, FitSaving
-from procc_annotator.gui.commands.files.importing import AnnotationImporter
-from procc_annotator.gui.commands.files.opening import OpeningTask, SourceMemory, sample_folder
-from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
-from procc_annotator.gui.commands.review.frame_walks import StatusWalk, WorstFirst
-from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
-from procc_annotator.gui.commands.review.triage import BlindLocking, Triage
-from procc_annotator.gui.commands.review.versions import Versions
-from procc_annotator.gui.commands.shot.accepting import StretchAccepting
-from procc_annotator.gui.commands.shot.following import ShotFollowing
-from procc_annotator.gui.commands.shot.walking import ShotWalk
+from procc_annotator.gui.commands.assistant import Assistant
+from procc_annotator.gui.commands.element_edits import ElementEdits, Naming
+from procc_annotator.gui.commands.exporting import ExportAs, Exporter
+from procc_annotator.gui.commands.field_choosing import FieldBar, FieldChoosing
+from procc_annotator.gui.commands.field_dimensions import FieldDimensionsTask
+from procc_annotator.gui.commands.frame_walks import ShotWalk, StatusWalk, WorstFirst
+from procc_annotator.gui.commands.ghosts import GhostCommands
+from procc_annotator.gui.commands.importing import AnnotationImporter
+from procc_annotator.gui.commands.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.opening import OpeningTask, SourceMemory, sample_folder
+from procc_annotator.gui.commands.overlay_saving import OverlaySaving
+from procc_annotator.gui.commands.shot_accepting import StretchAccepting
+from procc_annotator.gui.commands.shot_following import ShotFollowing
+from procc_annotator.gui.commands.triage import Triage
+from procc_annotator.gui.commands.versions import Versions
+from procc_annotator.gui.commands.view_grouping import ViewGrouping
 from procc_annotator.gui.element_keys import DigitRow, ElementShortcuts
 from procc_annotator.gui.messages import (
     BarStack,
@@ -165,9 +164,7 @@ class MainWindow(QMainWindow):
         )
         self.triage = Triage(services, self)
         self.worst_first = WorstFirst(services, self)
-        self.fit_saving = FitSaving(services)
         self.field_dimensions = FieldDimensionsTask(services, self)
-        self.blind_locking = BlindLocking(services, self)
         self.label_check = LabelCheckCommands(services, self)
         self.label_check.followWanted.connect(self.assistant.regularise_named)
         self.source_memory = SourceMemory(services, self.settings, self)

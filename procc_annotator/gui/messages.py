@@ -17,17 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.state.messages import Message, Notice
+from procc_annotator.gui.state.messages import Message
+from procc_annotator.gui.state.state import Notice
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
-
-
-def as_sentence(text: str) -> str:
-    """With a capital and a full stop; a path stays as it is written."""
-    first = text.split(" ", 1)[0]
-    if "/" not in first and "\\" not in first and ":" not in first[:-1] and "." not in first:
-        text = f"{text[:1].upper()}{text[1:]}"
-    return tr("{text}.", text=text) if text else ""
 
 
 class Bar(QWidget):

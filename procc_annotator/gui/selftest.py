@@ -24,7 +24,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.app import application, build_window, start_lean
-from procc_annotator.gui.commands.files.opening import sample_folder
+from procc_annotator.gui.commands.opening import sample_folder
 from procc_annotator.gui.main_window import MainWindow
 
 _WAIT_S = 30

@@ -174,8 +174,10 @@ def set_text_size(application: QApplication, percent: float) -> None:
     if size > 0 and size != font.pointSizeF():  # one in pixels is the system's own affair
         font.setPointSizeF(size)
         application.setFont(font)
+    text_times.cache_clear()
 
 
+@lru_cache(maxsize=1)  # asked with every paint
 def text_times() -> float:
     """Return how large texts are, of what the system says; 1 where no one chose."""
     application = QApplication.instance()

@@ -10,17 +10,17 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.dataset.frames import Frame
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.services import Services
-from procc_annotator.translation import tr
 
 T = TypeVar("T")
 
 
 def opened_frame(services: Services) -> Frame | None:
     """The frame on screen; if there is none it is said what to do."""
-    if services.state.frame is None:
-        services.say(tr("open a folder of pictures first"), "warning")
+    if why := no_frame(services.state):
+        services.say(why, "warning")
     return services.state.frame
 
 

@@ -26,14 +26,14 @@ from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.field.model import Field
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
-from procc_annotator.gui.commands.field import field_dimensions, view_grouping
+from procc_annotator.gui.commands import field_dimensions, view_grouping
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames import frames_panel, model, thumbnails
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import background, review_state, visible_update
-from procc_annotator.gui.state.checking import line_pixels, runner
-from procc_annotator.gui.state.checking.line_pixels import Evidence
-from procc_annotator.gui.state.prediction import live_fit, proposals
+from procc_annotator.gui.state.checking import label_check, runner
+from procc_annotator.gui.state.checking.label_check import Evidence
+from procc_annotator.gui.state.prediction import camera_choice, live_fit
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import PlainTextStyle
 from procc_annotator.gui.window.key_dialogs import KeySheet
@@ -95,9 +95,9 @@ _WAITS_FOR_A_HAND = (
     (field_dimensions, "_SETTLED_MS"),
     (model, "_SOON_MS"),
     (live_fit, "_STAYED_MS"),
-    (line_pixels, "_STAYED_MS"),
+    (label_check, "_STAYED_MS"),
     (frames_panel, "_TYPED_MS"),
-    (proposals, "_STAYED_MS"),
+    (camera_choice, "_STAYED_MS"),
     (review_state, "_COLLECT_MS"),
     (thumbnails, "_SOON_MS"),
     (thumbnails, "_HAND_MS"),
@@ -164,7 +164,7 @@ def nothing_proposed(monkeypatch) -> None:
         fit = FitResult("R", (picture.shape[1], picture.shape[0]), None, why)
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
-    monkeypatch.setattr("procc_annotator.gui.state.prediction.proposals.propose_camera", none)
+    monkeypatch.setattr("procc_annotator.gui.state.prediction.camera_choice.propose_camera", none)
 
 
 @pytest.fixture(autouse=True)
@@ -191,7 +191,7 @@ def paint_looked_for_once(monkeypatch) -> None:
         seen.update(found)
         return found
 
-    monkeypatch.setattr("procc_annotator.gui.state.checking.line_pixels.line_evidence", evidence)
+    monkeypatch.setattr("procc_annotator.gui.state.checking.label_check.line_evidence", evidence)
 
 
 _SEEN: dict[tuple[int, tuple[int, ...], int], tuple[Field, dict[Polyline, LineEvidence]]] = {}

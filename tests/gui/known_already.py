@@ -24,7 +24,7 @@ from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
 from procc_annotator.dataset.review import FrameCheck
 from procc_annotator.field.model import Field
-from procc_annotator.gui.commands.shot import following
+from procc_annotator.gui.commands import shot_following
 from procc_annotator.gui.panels.frames import thumbnails
 from procc_annotator.gui.state.checking import label_check
 from procc_annotator.gui.state.prediction import live_fit
@@ -144,7 +144,7 @@ class TrackMemory:
 
     def hand_out(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """Have the window ask here first."""
-        real = following.track_shot
+        real = shot_following.track_shot
 
         def track(
             frame: ReadFrame,
@@ -179,4 +179,4 @@ class TrackMemory:
                     on_frame(one)
             return found
 
-        monkeypatch.setattr(following, "track_shot", track)
+        monkeypatch.setattr(shot_following, "track_shot", track)

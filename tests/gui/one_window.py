@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.app import build_window
-from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.commands.dialogs import DialogTask
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.state import DEFAULT_TAU
 

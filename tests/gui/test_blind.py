@@ -201,7 +201,7 @@ class Look:
         self.window.actions_["field_dimensions"].trigger()
         dialog = self.window.field_dimensions.dialog
         dialog.estimate_button.click()
-        self.qtbot.waitUntil(lambda: bool(dialog.found.text()) and not dialog._running)
+        self.qtbot.waitUntil(lambda: bool(dialog.found.text()) and dialog.bar.isHidden())
         said = dialog.found.text()
         dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel).click()
         return "2 frames" in said

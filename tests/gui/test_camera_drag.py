@@ -26,9 +26,9 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.model import Field
-from procc_annotator.gui.commands.shot import following
+from procc_annotator.gui.commands import shot_following
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.prediction import proposals
+from procc_annotator.gui.state.prediction import camera_choice
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import wireframe_of
@@ -110,7 +110,7 @@ def search(wrong, monkeypatch) -> None:
         fit = external_camera_fit(wrong.scaled(SAMPLE, size), size)
         return Proposal("unsure", "a neighbour fits as well", fit, 0.5, 0.5, 2.0, 0.0, None)
 
-    monkeypatch.setattr(proposals, "propose_camera", propose)
+    monkeypatch.setattr(camera_choice, "propose_camera", propose)
 
 
 @pytest.fixture
@@ -464,7 +464,7 @@ class TestInAShot:
             fit = external_camera_fit(drawn.cameras[0], SHOT)
             return Proposal("sure", "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
 
-        monkeypatch.setattr(proposals, "propose_camera", propose)
+        monkeypatch.setattr(camera_choice, "propose_camera", propose)
         frame = ImageFrame(SHOT)
         known = vector_from_camera(drawn.cameras[0], frame)
 
@@ -485,14 +485,14 @@ class TestInAShot:
     def test_the_frame_is_an_anchor_and_what_lies_around_it_is_followed_again(
         self, shot, drawn, qtbot, monkeypatch
     ):
-        services, track = shot.services, following.track_shot
+        services, track = shot.services, shot_following.track_shot
         asked: list[dict[int, Any]] = []
 
         def noted(*args: Any, anchors: Any, **more: Any) -> Any:
             asked.append(dict(anchors))
             return track(*args, anchors=anchors, **more)
 
-        monkeypatch.setattr(following, "track_shot", noted)
+        monkeypatch.setattr(shot_following, "track_shot", noted)
         services.navigator.go_to(2)
         all_done(qtbot)
         drag = CameraDrag(shot)

@@ -21,7 +21,7 @@ from procc_annotator.camera.base import ElementProjections
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame
+from procc_annotator.gui.state.scoring.frame_score import SourceFrame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.error_maps import disagreement
 from tests.gui.conftest import Hand, all_done, settle

@@ -14,7 +14,7 @@ from procc_annotator.calibration.label_check.evidence import LinePresence
 from procc_annotator.calibration.label_check.finding import Rule
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.messages import BENT
+from procc_annotator.gui.state.state import BENT
 from procc_annotator.interaction import palette as tones
 from tests.gui.conftest import heard
 

@@ -16,8 +16,8 @@ from procc_annotator.dataset.database.connection import FILE
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.dataset.records import Origin, PointKey
-from procc_annotator.gui.commands.files.exporting import ExportAs
-from procc_annotator.gui.commands.files.importing import AnnotationImporter
+from procc_annotator.gui.commands.exporting import ExportAs
+from procc_annotator.gui.commands.importing import AnnotationImporter
 from procc_annotator.gui.state.editing import batch_edits
 from procc_annotator.gui.state.editing.batch_edits import merged
 from tests.gui.conftest import all_done, until_kept

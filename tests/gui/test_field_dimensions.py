@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QDialogButtonBox
 
 from procc_annotator.batch.joint_calibration import Estimate, estimate_dimensions
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.field import field_dimensions
-from procc_annotator.gui.commands.field.field_dimensions import (
+from procc_annotator.gui.commands import field_dimensions
+from procc_annotator.gui.commands.field_dimensions import (
     FieldDimensionsDialog,
     FieldDimensionsTask,
 )

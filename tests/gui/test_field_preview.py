@@ -90,7 +90,12 @@ def test_the_command_opens_it(monkeypatch, tmp_path):
 def test_ctrl_c_in_the_terminal_closes_it(qapp):
     before = signal.getsignal(signal.SIGINT)
     try:
-        QTimer.singleShot(50, lambda: signal.raise_signal(signal.SIGINT))
+        interrupt = QTimer(interval=50)
+        interrupt.timeout.connect(
+            lambda: signal.getsignal(signal.SIGINT) is before or signal.raise_signal(signal.SIGINT)
+        )  # not while the window is still being built
+        interrupt.start()
         assert field_preview.run_preview("soccer") == 0
     finally:
+        interrupt.stop()
         signal.signal(signal.SIGINT, before)

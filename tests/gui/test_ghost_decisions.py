@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.dataset.editing import delete_point
-from procc_annotator.gui.commands.elements import ghost_accepting
+from procc_annotator.gui.commands import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.interaction.overlay_predictions import ghost_extent
@@ -177,10 +177,10 @@ class TestTab:
 
     def test_in_blind_mode(self, begun, hand, told):
         hand.key(Key.Key_B)
-        assert "no ghosts in blind mode" in self.says(begun, hand, told)
+        assert "no ghosts: blind" in self.says(begun, hand, told)
         begun.services.selection.select_class(None)
         hand.key(Key.Key_Period)
-        assert told[-1].startswith("no ghosts in blind mode")
+        assert told[-1].startswith("no ghosts: blind")
         assert "choose an element first" in told[-1]
 
     def test_in_a_dataset_that_is_locked_to_it(self, begun, hand, told):

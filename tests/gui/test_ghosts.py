@@ -18,7 +18,7 @@ from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.editing import append_points, delete_point
 from procc_annotator.dataset.records import OriginKind
-from procc_annotator.gui.commands.elements import ghost_accepting
+from procc_annotator.gui.commands import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.gui.state.services import Services
@@ -84,9 +84,9 @@ class TestShown:
     ):
         services, before = begun.services, names(begun)
         points = services.state.annotation.get(KEPT[0]).points[:2]
-        services.editing.commit_edit(
-            "draw", append_points(services.state.annotation, before[0], points)
-        )
+        edited = append_points(services.state.annotation, before[0], points)
+        with qtbot.waitSignal(services.ghosts.changed):  # after the paint
+            services.editing.commit_edit("draw", edited)
         assert services.live_fit.insight is None
         assert [g.name for g in services.ghosts.painted] == before[1:]
         assert not names(begun)  # none of them can be accepted

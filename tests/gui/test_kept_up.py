@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.dataset.records import Status
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.review.versions import apply_version
+from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import AUTHOR
 from tests.gui.conftest import Hand, heard, settle, until_kept

@@ -9,8 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.commands.files.exchange_dialogs import LabelDialog
-from procc_annotator.gui.commands.files.importing import AnnotationImporter
+from procc_annotator.gui.commands.exchange_dialogs import LabelDialog
+from procc_annotator.gui.commands.importing import AnnotationImporter
 
 
 def shape(label: str, *points: tuple[float, float]) -> dict[str, object]:

@@ -125,14 +125,14 @@ def test_a_landmark_shows_its_uncertainty_in_the_other_views(panel, services, ma
     assert services.camera_sources.load_cameras(match / "cameras")
     for frame in (LEFT, CLOSE):
         services.navigator.go_to(frame)
-        qtbot.waitUntil(lambda: len(services.landmarks.ellipses) == 1)
-        (shown,) = services.landmarks.ellipses
+        qtbot.waitUntil(lambda: len(services.landmarks.ellipses.value or ()) == 1)
+        (shown,) = services.landmarks.ellipses.value
     assert shown.ellipse.semi_axes_px[0] > 8  # the close-up shows a decimetre as many pixels
     clicked = services.state.annotation.get("Clock")
     click_px = np.array([clicked.points[0].u * 959, clicked.points[0].v * 539])
     assert np.hypot(*(shown.ellipse.centre_px - click_px)) < 20
     services.blind_lock.set_blind(True)
-    assert services.landmarks.ellipses == ()
+    assert services.landmarks.ellipses.value is None
 
 
 def test_its_uncertainty_is_drawn_over_the_picture(make_window, match, qtbot):
@@ -143,9 +143,11 @@ def test_its_uncertainty_is_drawn_over_the_picture(make_window, match, qtbot):
     qtbot.waitUntil(lambda: landmarks.frames_with("Clock") is not None)
     landmarks.triangulation.start("Clock")
     services.navigator.go_to(LEFT)
-    qtbot.waitUntil(lambda: len(landmarks.ellipses) == 1)
+    qtbot.waitUntil(lambda: len(landmarks.ellipses.value or ()) == 1)
     drawn = window.canvas.overlay_item.overlay.strokes
-    assert any(stroke.colour == landmarks.ellipses[0].colour and stroke.dash for stroke in drawn)
+    assert any(
+        stroke.colour == landmarks.ellipses.value[0].colour and stroke.dash for stroke in drawn
+    )
 
 
 def test_the_other_views_are_a_click_away(panel, services, qtbot):

@@ -71,9 +71,7 @@ def test_the_example_explains_itself_and_makes_nothing(tmp_path, monkeypatch, ca
 
 def test_the_sample_is_tried_on_a_copy(window, sample_copy, qtbot, tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
-    monkeypatch.setattr(
-        "procc_annotator.gui.commands.files.opening.sample_folder", lambda: sample_copy
-    )
+    monkeypatch.setattr("procc_annotator.gui.commands.opening.sample_folder", lambda: sample_copy)
     files = {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")}
     window.actions_["open_sample"].trigger()
     own = tmp_path / "data" / "procc-annotator" / "sample"

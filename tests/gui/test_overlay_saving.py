@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDialogButtonBox, QFileDialog
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
-from procc_annotator.gui.commands.files.overlay_saving import OverlayDialog, OverlaySaving
+from procc_annotator.gui.commands.overlay_saving import OverlayDialog, OverlaySaving
 from procc_annotator.gui.state.services import Services
 from procc_annotator.report.overlay_scene import OverlayLook, Scene
 

@@ -16,7 +16,7 @@ from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.prediction import proposals
+from procc_annotator.gui.state.prediction import camera_choice
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from tests.gui.conftest import Hand, all_done, until_kept
@@ -51,7 +51,7 @@ class Finder:
 @pytest.fixture
 def finder(annotated, monkeypatch) -> Finder:
     found = Finder(annotated)
-    monkeypatch.setattr(proposals, "propose_camera", found)
+    monkeypatch.setattr(camera_choice, "propose_camera", found)
     return found
 
 
@@ -151,7 +151,7 @@ class TestAFrameWithoutAnnotation:
             finder(picture, *args, **more)
             raise ImageError(bare, "too dark to look at")
 
-        monkeypatch.setattr(proposals, "propose_camera", fails)
+        monkeypatch.setattr(camera_choice, "propose_camera", fails)
         window = make_window(bare)
         all_done(qtbot)
 

@@ -4,8 +4,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
 
-from procc_annotator.gui.state.messages import UNSAVED
-from procc_annotator.gui.state.saying import notify, withdraw
+from procc_annotator.gui.state.messages import notify, withdraw
+from procc_annotator.gui.state.state import UNSAVED
 from tests.gui.conftest import until_kept
 
 

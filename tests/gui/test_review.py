@@ -11,9 +11,9 @@ from PySide6.QtTest import QTest
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.editing import move_points
 from procc_annotator.dataset.records import OriginKind, Status
-from procc_annotator.gui.commands.files.exporting import Exporter
-from procc_annotator.gui.commands.review.frame_walks import StatusWalk
-from procc_annotator.gui.commands.review.versions import apply_version
+from procc_annotator.gui.commands.exporting import Exporter
+from procc_annotator.gui.commands.frame_walks import StatusWalk
+from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
 from procc_annotator.gui.panels.review import ReviewPanel
@@ -246,7 +246,7 @@ class TestTime:
         self, panel, services, monkeypatch, qtbot
     ):
         now = [1000.0]
-        monkeypatch.setattr(services.review, "_clock", lambda: now[0])
+        monkeypatch.setattr("procc_annotator.gui.state.review_state.monotonic", lambda: now[0])
         services.navigator.go_to(1)
         now[0] += 12.0
         draw(services, MIDDLE)

@@ -69,7 +69,7 @@ def test_a_failed_save_is_visible_told_once_and_tried_again(window, hand, disk, 
 def test_what_is_not_saved_stays_in_sight_when_more_fails(window, hand, disk):
     disk.full = True
     hand.draw(MIDDLE, (100, 50), (120, 200))
-    window.services.review.failed.emit("workspace.db: cannot be written")  # the same full disk
+    say(window.services.store, "workspace.db: cannot be written", "warning")  # the same full disk
     shown = window.message_bar.label.text()
     assert "No space left" in shown
     assert "workspace.db" in shown

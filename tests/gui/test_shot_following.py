@@ -21,9 +21,9 @@ from procc_annotator.dataset.records import OriginKind, Status
 from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.commands.shot import accepting, following
+from procc_annotator.gui.commands import shot_accepting, shot_following
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.prediction import proposals
+from procc_annotator.gui.state.prediction import camera_choice
 from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import Hand, all_done, heard, until_kept
@@ -76,7 +76,7 @@ def found(drawn, pictures, monkeypatch) -> None:
         state = "sure" if apart < 8 else "none"
         return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
 
-    monkeypatch.setattr(proposals, "propose_camera", propose)
+    monkeypatch.setattr(camera_choice, "propose_camera", propose)
     monkeypatch.setattr(shot_tracker, "propose_camera", propose)
 
 
@@ -153,7 +153,7 @@ class TestFollowing:
         assert services.scorer.camera is not None
 
     def test_frames_fill_in_meanwhile_and_it_can_be_stopped(self, window, qtbot, monkeypatch):
-        going, track = Event(), following.track_shot
+        going, track = Event(), shot_following.track_shot
 
         def slow(*args: Any, on_frame: Callable[..., None], go_on: Any, **more: Any) -> Any:
             def on_each(frame: Any) -> None:
@@ -163,7 +163,7 @@ class TestFollowing:
 
             return track(*args, on_frame=on_each, go_on=go_on, **more)
 
-        monkeypatch.setattr(following, "track_shot", slow)
+        monkeypatch.setattr(shot_following, "track_shot", slow)
         press(window, Key.Key_T)
         qtbot.waitUntil(lambda: 8 in window.services.shot_track.tracked)
         assert window.shot_following.words().startswith("following: ")
@@ -189,8 +189,8 @@ class TestFollowing:
             asked.append(dict(anchors))
             return Track((), ())
 
-        monkeypatch.setattr(proposals, "propose_camera", unsure)
-        monkeypatch.setattr(following, "track_shot", noted)
+        monkeypatch.setattr(camera_choice, "propose_camera", unsure)
+        monkeypatch.setattr(shot_following, "track_shot", noted)
         window = make_window(dataset)
         services = window.services
         services.opening.open_workspace(
@@ -233,14 +233,14 @@ class TestFollowing:
         self, window, qtbot, monkeypatch, hand_on
     ):
         follow(window, qtbot)
-        services, track = window.services, following.track_shot
+        services, track = window.services, shot_following.track_shot
         asked: list[tuple[range, list[int]]] = []
 
         def noted(frames: Any, numbers: range, *args: Any, anchors: Any, **more: Any) -> Any:
             asked.append((numbers, sorted(anchors)))
             return track(frames, numbers, *args, anchors=anchors, **more)
 
-        monkeypatch.setattr(following, "track_shot", noted)
+        monkeypatch.setattr(shot_following, "track_shot", noted)
         services.navigator.go_to(1)
         all_done(qtbot)
         hand: Hand = hand_on(window)
@@ -276,7 +276,7 @@ class TestFollowing:
     def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
         self, window, qtbot, monkeypatch
     ):
-        services, track = window.services, following.track_shot
+        services, track = window.services, shot_following.track_shot
         follow(window, qtbot)
         accept(window, qtbot)
         asked: list[list[int]] = []
@@ -285,8 +285,8 @@ class TestFollowing:
             asked.append(sorted(anchors))
             return track(*args, anchors=anchors, **more)
 
-        monkeypatch.setattr(following, "track_shot", noted)
-        services.annotated_frames.close()
+        monkeypatch.setattr(shot_following, "track_shot", noted)
+        services.annotated_frames.set_wanted(False)
         services.annotated_frames._edited.clear()
         follow(window, qtbot)
 
@@ -419,13 +419,13 @@ class TestAccepting:
         assert "Middle line" in services.state.annotation.annotated  # left as it was: edited since
 
     def test_nothing_is_accepted_once_blind_mode_is_on(self, window, video, qtbot, monkeypatch):
-        going, look = Event(), accepting._look
+        going, look = Event(), shot_accepting._look
 
         def slow(*args: Any) -> Any:
             going.wait(60)
             return look(*args)
 
-        monkeypatch.setattr(accepting, "_look", slow)
+        monkeypatch.setattr(shot_accepting, "_look", slow)
         follow(window, qtbot)
         press(window, Key.Key_Return, CTRL | SHIFT)
         assert window.stretch_accepting.running

@@ -5,7 +5,7 @@ from pathlib import Path
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsTask
+from procc_annotator.gui.commands.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.state.services import Services
 from tests.gui.conftest import heard

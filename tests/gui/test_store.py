@@ -10,7 +10,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store, When
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -40,6 +40,18 @@ def test_a_watch_is_called_for_what_it_selects_only(store):
     store.update(tau=8.0)
     store.update(hovered_class=None, blind=True)
     assert listener.heard == [(8.0, False), (8.0, True)]
+
+
+def test_a_watch_follows_what_its_selection_comes_to_read(store):
+    listener = Listener(store, lambda state: state.tau if state.blind else state.mode)
+    store.update(tau=8.0)
+    assert listener.heard == []
+    store.update(blind=True)
+    store.update(tau=9.0)
+    store.update(mode="edit")
+    assert listener.heard == [8.0, 9.0]
+    store.update(blind=False)
+    assert listener.heard == [8.0, 9.0, "edit"]
 
 
 def test_no_watch_is_called_if_nothing_differs(store):

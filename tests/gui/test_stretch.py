@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.calibration.result import external_camera_fit
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
-from procc_annotator.gui.commands.shot import accepting, following
+from procc_annotator.gui.commands import shot_accepting, shot_following
 from procc_annotator.gui.main_window import MainWindow
 from tests.drawn_shots import soccer_shot
 from tests.gui.conftest import SIZE, Hand, all_done, heard, until_kept
@@ -56,7 +56,7 @@ def press(window: MainWindow, key: Qt.Key, modifiers: Any = Qt.KeyboardModifier.
 
 def look_finds(monkeypatch: pytest.MonkeyPatch, *indices: int) -> None:
     """Paint is seen in these frames."""
-    monkeypatch.setattr(accepting, "_look", lambda *_: dict.fromkeys(indices, LINE))
+    monkeypatch.setattr(shot_accepting, "_look", lambda *_: dict.fromkeys(indices, LINE))
 
 
 def accept(window: MainWindow, qtbot: QtBot) -> None:
@@ -117,7 +117,7 @@ def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
         frames = tuple(followed(number) for number in numbers)
         return Track(frames, ((numbers[0], numbers[-1]),))
 
-    monkeypatch.setattr(following, "track_shot", track)
+    monkeypatch.setattr(shot_following, "track_shot", track)
     window = make_window(shot)
     all_done(qtbot)
 
@@ -136,7 +136,7 @@ def test_stopped_before_anything_was_followed_it_says_so(window, qtbot, monkeypa
         while True:
             args[-1]()  # ends once nobody wants it
 
-    monkeypatch.setattr(following, "shot_range_around", shot_around)
+    monkeypatch.setattr(shot_following, "shot_range_around", shot_around)
     said = heard(window.services)
 
     press(window, Key.Key_T)

@@ -14,8 +14,8 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import FaultParty, Verdict
-from procc_annotator.gui.commands.review.frame_walks import WorstFirst
-from procc_annotator.gui.commands.review.triage import Triage
+from procc_annotator.gui.commands.frame_walks import WorstFirst
+from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
@@ -72,7 +72,7 @@ def source_of(services: Services, name: str) -> CameraSource:
 
 
 def verdict_on(services: Services, frame: str, name: str) -> Verdict | None:
-    return services.verdicts.verdict(frame, source_of(services, name))
+    return services.review.verdict(frame, source_of(services, name))
 
 
 def press(window: MainWindow, key: Qt.Key) -> None:
@@ -205,7 +205,7 @@ class TestVerdicts:
         triage.mark("camera")
         services.navigator.go_to(2)
         triage.mark("fine")
-        services.verdicts.set_verdict(
+        services.review.set_verdict(
             "00003", source_of(services, "bad"), FaultParty.FINE, "as sharp as it gets"
         )
         jac = services.scoring.frame_scores["00003"]

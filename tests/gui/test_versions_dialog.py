@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDialog, QLabel
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.review.versions import (
+from procc_annotator.gui.commands.versions import (
     VersionRow,
     VersionsDialog,
     comparison,
@@ -52,7 +52,7 @@ def store() -> _Store:
 @pytest.fixture
 def dialog(qtbot, store) -> VersionsDialog:
     grass = np.full((SIZE[1], SIZE[0], 4), (60, 110, 70, 255), dtype=np.uint8)
-    dialog = VersionsDialog(None, ROWS, store, grass, FIELD, SIZE)
+    dialog = VersionsDialog(None, ROWS, store, grass, FIELD, SIZE, NOW)
     qtbot.addWidget(dialog)
     dialog.show()
     return dialog
@@ -131,7 +131,7 @@ def test_polylines_are_drawn_over_the_picture(dialog):
 
 
 def test_another_annotation_than_the_newest_may_be_the_present_one(qtbot, store):
-    dialog = VersionsDialog(None, ROWS, store, None, FIELD, SIZE, current=BEFORE)
+    dialog = VersionsDialog(None, ROWS, store, None, FIELD, SIZE, BEFORE)
     qtbot.addWidget(dialog)
     assert dialog.model.lines(0)[3] == "2 elements, 5 points  (+1 element, +3 points)"
     assert dialog.restore.isEnabled()
@@ -139,7 +139,7 @@ def test_another_annotation_than_the_newest_may_be_the_present_one(qtbot, store)
 
 def test_a_version_that_cannot_be_read_says_so(qtbot, store):
     rows = [*ROWS, VersionRow("9", "Author", 1.0e9, "saved")]
-    dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE)
+    dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE, NOW)
     qtbot.addWidget(dialog)
     dialog.show()
     _choose(dialog, 4)
@@ -150,7 +150,7 @@ def test_a_version_that_cannot_be_read_says_so(qtbot, store):
 
 def test_versions_are_read_once_and_only_when_in_view(qtbot, store):
     rows = [VersionRow(str(1 + i % 4), "Author", 1.7e9 + i, "saved") for i in range(500)]
-    dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE)
+    dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE, NOW)
     qtbot.addWidget(dialog)
     dialog.show()
     dialog.grab()
@@ -161,7 +161,7 @@ def test_versions_are_read_once_and_only_when_in_view(qtbot, store):
 
 
 def test_without_versions_it_says_so(qtbot, store):
-    dialog = VersionsDialog(None, [], store, None, FIELD, SIZE)
+    dialog = VersionsDialog(None, [], store, None, FIELD, SIZE, NOW)
     qtbot.addWidget(dialog)
     dialog.show()
     empty = dialog.findChild(QLabel, "versionsEmpty")

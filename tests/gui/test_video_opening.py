@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.files.video_opening import VideoDialog
+from procc_annotator.gui.commands.opening import VideoDialog
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.image.video import Video

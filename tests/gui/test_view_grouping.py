@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.landmarks.view_groups import load_views
-from procc_annotator.gui.commands.field.view_grouping import ViewDialog, ViewGrouping
+from procc_annotator.gui.commands.view_grouping import ViewDialog, ViewGrouping
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.state.services import Services
 
@@ -114,7 +114,7 @@ def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(task, services
 def test_another_file_is_not_written_over_unasked(panel, task, folder, qtbot, monkeypatch):
     answers = [False, True]
     monkeypatch.setattr(
-        "procc_annotator.gui.commands.field.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
+        "procc_annotator.gui.commands.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
     )
     path = folder / "views.csv"
     path.write_text("frame,instant\n17_left,1\n18_left,1\n")

@@ -17,6 +17,7 @@ from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import hidden
 from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import (
@@ -233,8 +234,8 @@ class CameraDrag(QObject):
 
     def _why_none(self) -> str:
         services = self._services
-        if not services.proposals.allowed:
-            return tr("blind mode: no camera is shown")
+        if why := services.blind_lock.reason or hidden(services.state):
+            return why
         if self._hidden:
             return tr("overlays are hidden (Ctrl+H)")
         insight = services.prediction.insight

@@ -18,7 +18,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.gui.canvas.map_painting import paint_lines, paint_shapes
 from procc_annotator.gui.canvas.overlay_picture import paint_caption
-from procc_annotator.gui.state.map_shapes import segments, shapes_in_picture, shapes_on_field
+from procc_annotator.gui.state.maps import segments, shapes_in_picture, shapes_on_field
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette

@@ -21,7 +21,7 @@ from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
-from procc_annotator.gui.state.checking.line_pixels import Evidence
+from procc_annotator.gui.state.checking.label_check import Evidence
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
 from procc_annotator.interaction import palette as tones
@@ -140,7 +140,7 @@ class OverlayDrawing(QObject):
         services.line_widths.changed.connect(self.refresh)
         services.line_pixels.changed.connect(self._soon.start)
         services.landmarks.changed.connect(self.refresh)
-        services.landmarks.ellipsesChanged.connect(self.refresh)
+        services.landmarks.ellipses.changed.connect(self.refresh)
 
     # --- options ------------------------------------------------------------------------------
 
@@ -291,7 +291,7 @@ class OverlayDrawing(QObject):
             other=services.second_annotator.annotation if state.projection_visible else None,
             # Of the compared source no one asked for it.
             paint=services.line_widths.value if judged[0] is services.scorer.measurement else None,
-            ellipses=tuple(services.landmarks.ellipses),
+            ellipses=services.landmarks.ellipses.value or (),
             found=services.label_check.shown,
             dragged=self._dragged,
         )

@@ -14,6 +14,7 @@ from procc_annotator.dataset.records import PointKey
 from procc_annotator.gui.canvas.snapping import ScreenSnapper
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.store import When
 from procc_annotator.interaction.class_choice import next_element, unnamed_class
 from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
 from procc_annotator.interaction.edit_tool import EditTool
@@ -104,7 +105,7 @@ class Editor(QObject):
         self.changed.connect(self._keep_clicks)
         services.store.watch(select.selection, self._finish_for_another_class)
         services.store.watch(select.frame, self._look_before)
-        services.store.watch(select.annotation, self._look_under)
+        services.store.watch(select.annotation, self._look_under, When.AFTER_PAINT)
         services.store.watch(select.mode, self._look_under)
 
     def _take_field(self) -> None:

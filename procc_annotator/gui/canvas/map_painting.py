@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QTransform
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.canvas.overlay_painter import draw_lines, visible_parts
-from procc_annotator.gui.state.map_shapes import MapShapes
+from procc_annotator.gui.state.maps import MapShapes
 from procc_annotator.interaction import palette
 
 _CASING = 1.5  # points by which a dark line shows on both sides of a coloured one

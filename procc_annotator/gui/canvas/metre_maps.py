@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QGraphicsItem, QGraphicsScene, QStyleOptionGraphic
 
 from procc_annotator.gui.canvas.map_painting import paint_lines, paint_shapes
 from procc_annotator.gui.canvas.viewport_overlays import ViewportOverlay
-from procc_annotator.gui.state.map_shapes import MapShapes
-from procc_annotator.gui.state.maps import GroundAccuracy
+from procc_annotator.gui.state.maps import GroundAccuracy, MapShapes
 from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY, LevelLine, MapStyle

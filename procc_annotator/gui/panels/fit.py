@@ -42,6 +42,7 @@ from procc_annotator.gui.panels.widgets import (
     scrolling,
     show_note,
 )
+from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.scoring.frame_score import CachedScore
 from procc_annotator.gui.state.selectors import judged
@@ -338,15 +339,9 @@ class FitPanel(QWidget):
             show_note(self.chosen, tr("Fitting the clicks…"))
 
     def _why_empty(self, insight: FrameAnalysis | None) -> str:
-        services, live = self._services, self._services.live_fit
-        if services.state.frame is None:
-            return tr("Open a folder of pictures to see the camera its clicks give.")
-        if barred := services.blind_lock.no_fit:
-            return tr("{text}.", text=barred)
-        if not live.wanted:
-            return tr("The live fit is off (Ctrl+T).")
-        if not live.allowed:
-            return tr("Hidden: blind mode shows the fit once this frame is committed.")
+        live = self._services.live_fit
+        if live.problem:
+            return as_sentence(live.problem)
         if insight is not None:
             return tr("No camera yet: {why}.", why=insight.fit.failure)
         return tr("Fitting the clicks…") if live.working else tr("No fit.")

@@ -22,8 +22,9 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.model import Landmark
-from procc_annotator.gui.messages import as_sentence, ask_to_delete
+from procc_annotator.gui.messages import ask_to_delete
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE, empty_state, note_label, show_note
+from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count, word
 

@@ -22,6 +22,7 @@ from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import as_sentence, no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.palette import ORIGINS
@@ -136,7 +137,7 @@ class ReviewPanel(QWidget):
         if frame is None:
             self.time.clear()
             show_note(self.blind, "")
-            self.origins.setText(tr("Open a folder of pictures first."))
+            self.origins.setText(as_sentence(no_frame(services.state)))
             self._show_thread(())
             return
         record = services.review.record(frame.name)

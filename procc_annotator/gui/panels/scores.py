@@ -44,6 +44,7 @@ from procc_annotator.gui.panels.widgets import (
     scrolling,
     show_note,
 )
+from procc_annotator.gui.state import availability
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
@@ -224,7 +225,7 @@ class VerdictRow(QWidget):
         frame, source = services.state.frame, services.state.active
         verdict = None
         if frame is not None and source is not None and services.state.projection_visible:
-            verdict = services.verdicts.verdict(frame.name, source)
+            verdict = services.review.verdict(frame.name, source)
         for fault, button in self.buttons.items():
             button.setChecked(verdict is not None and verdict.fault is fault)
         show_note(self.note, f"“{verdict.comment}”" if verdict is not None and verdict.comment
@@ -378,25 +379,22 @@ class ScoresPanel(QWidget):
         self._stack.setCurrentIndex(1)
 
     def _why_empty(self) -> str:
-        services = self._services
-        if services.state.frame is None:
-            return tr("Open a folder of pictures to see scores.")
-        if services.state.active_cameras is None:
-            return tr(
-                "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
-            )
-        if not services.state.projection_visible:
-            return tr("Hidden: blind mode shows the score once this frame is committed.")
+        services, state = self._services, self._services.state
+        why = availability.no_frame(state) or availability.no_source(state)
+        if why := why or availability.hidden(state):
+            return availability.as_sentence(why)
         if services.scorer.score is not None:
-            return tr("JaC –: {why}.", why=services.state.why_not_judged)
+            return tr("JaC –: {why}.", why=state.why_not_judged)
         if services.scorer.shown.error:
             return tr(
                 "This frame's camera cannot be used:\n{error}", error=services.scorer.shown.error
             )
-        if services.state.active_cameras is services.fit_source.cameras:
-            why = services.state.active_cameras.why_none(services.state.frame.name)
-            return tr("No fit to judge: {why}.", why=why)
-        return tr("{name} has no camera for this frame.", name=services.state.active_cameras.name)
+        cameras, name = state.active_cameras, state.frame_name
+        assert cameras is not None
+        assert name is not None
+        if cameras is services.fit_source.cameras:
+            return tr("No fit to judge: {why}.", why=cameras.why_none(name))
+        return tr("{name} has no camera for this frame.", name=cameras.name)
 
     def _show_figures(self, score: FrameScore) -> None:
         self.jac.setText(f"{score.jac:.3f}")

@@ -5,10 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import cast
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.prediction.uncertainty import project_error_ellipses
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.base import (
+    CameraOrProjections,
+    ElementProjections,
+    projects_only_ground,
+    scaled_camera,
+)
 from procc_annotator.dataset.landmarks import dataset_landmarks
 from procc_annotator.dataset.landmarks.clicks import LocatedLandmark, why_kept, with_positions
 from procc_annotator.dataset.landmarks.dataset_landmarks import (
@@ -25,10 +35,11 @@ from procc_annotator.dataset.landmarks.triangulation import (
     locate_in_dataset,
 )
 from procc_annotator.dataset.landmarks.view_groups import ViewGroups
+from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import is_moving, landmarks_by_name
+from procc_annotator.field.landmarks import is_moving, landmark_at_instant, landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.formats.landmark_file import (
     LANDMARKS_FILE,
@@ -44,18 +55,64 @@ from procc_annotator.gui.state.background import (
     LatestOnlyTask,
     Priority,
 )
-from procc_annotator.gui.state.landmark_tools import (
-    LandmarkEllipses,
-    LandmarkFiles,
-    entries_of,
-)
+from procc_annotator.gui.state.editing.outside_changes import FileWatch
+from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
+from procc_annotator.gui.state.scoring.commands import EvaluationSettings
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.overlay_lines import ShownEllipse
 from procc_annotator.translation import tr
+
+Size = tuple[int, int]
+Ellipses = tuple[ShownEllipse, ...]
+FileAndInstant = tuple[LandmarkFile, str | None]  # of a dataset, and of the frame on screen
+
+
+def entries_of(file: LandmarkFile, instant: str | None) -> list[Landmark]:
+    """One a landmark of a dataset, as it is at an instant."""
+    return [
+        landmark_at_instant(marks, instant) or marks[0]
+        for marks in landmarks_by_name(file.landmarks).values()
+    ]
+
+
+def _project(
+    file: LandmarkFile,
+    instant: str | None,
+    field: Field,
+    size: Size,
+    judged: CameraOrProjections | FitResult,
+    judged_size: Size,
+) -> Ellipses:
+    entries = entries_of(file, instant)
+    marks = [m for m in entries if m.position is not None and m.covariance is not None]
+    positions = [cast(Vector, mark.position) for mark in marks]
+    camera: CameraOrProjections | None = None
+    spread = None
+    if not isinstance(judged, FitResult):
+        camera = scaled_camera(judged, judged_size, size)
+    elif judged_size == size and marks:
+        camera, spread = judged.camera, judged.projected_covariance(np.array(positions))
+    if not marks or camera is None or isinstance(camera, ElementProjections):
+        return ()
+    if projects_only_ground(camera):
+        return ()
+    covariances = [mark.covariance for mark in marks]
+    found = project_error_ellipses(camera, positions, covariances, camera_covariances=spread)
+    elements = {e.name: e.colour for e in field.elements}
+    return tuple(
+        ShownEllipse(mark.name, elements[mark.name], ellipse)
+        for mark, ellipse in zip(marks, found, strict=True)
+        if ellipse is not None and mark.name in elements
+    )
+
+
+def _read(workspace: Workspace, _writes: int) -> tuple[LandmarkFile, ViewGroups, str]:
+    file, groups = read_landmarks_in(workspace.folder)
+    _ = groups.groups  # is kept; many frames take long to be put in order
+    return file, groups, unknown_frames_message(groups, workspace)
+
 
 PROBLEM, STRANGE = "landmarks", "views"  # the notices
 
@@ -70,32 +127,35 @@ class Landmarks(QObject):
         groups: its frames of one instant.
         problem: why its files cannot be used; nothing is written over them then.
         strange: what is to say of rows of ``views.csv`` that name no frame; empty for nothing.
+        ellipses: error ellipses in the frame on screen of the landmarks whose position has a
+            covariance.
     """
 
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
-    ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
     def __init__(
         self, store: Store, judge: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
     ) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
+        self._judge, self._live_fit = judge, live_fit
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
+        self._damage = ""  # what the problem is, of the files alone
+        self._since: ClickedFrames = {}  # of frames that were on screen since the scan
         self._clicked = ComputedValue(
             self._to_scan, _scan, self, stoppable=True, priority=Priority.LOW
         )
         self._clicked.changed.connect(self._take_scan)
-        self._clicked.failed.connect(self._say_scan_failed)
-        self._since: ClickedFrames = {}  # of frames that were on screen since the scan
+        self._clicked.failed.connect(partial(say, store, level="error"))
         self.triangulation = LandmarkTriangulation(store, live_fit, self)
-        self.triangulation.changed.connect(self.changed)
-        self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
-        self._ellipses.changed.connect(self.ellipsesChanged)
-        self._damage = ""  # what the problem is, of the files alone
-        self._files = LandmarkFiles(self)
-        self._files.read.connect(self._take_read)
-        self._files.damaged.connect(self._note_damage)
+        self.ellipses = ComputedValue(self._to_project, _project, self, background=False)
+        store.keep_current(self.ellipses, live_fit.changed)
+        self._writes = 0  # of both files that were seen
+        self._read = ComputedValue(self._to_read, _read, self)
+        self._read.changed.connect(self._take_read)
+        names = LANDMARKS_FILE, VIEWS_FILE
+        self._watches = {name: FileWatch(self, self.read_again) for name in names}
         store.watch(select.annotation, self._look_at_frame)
         store.events.framesEdited.connect(self._look_again)
         store.watch(select.field, self._try_again)
@@ -109,7 +169,7 @@ class Landmarks(QObject):
         self.problem = self.strange = ""
         for notice in (PROBLEM, STRANGE):  # of the dataset before
             withdraw(self._store, notice)
-        self._files.watch(workspace)
+        self._watch(workspace)
         try:
             self.file, self.groups = read_landmarks_in(workspace.folder)
             self.strange = unknown_frames_message(self.groups, workspace)
@@ -123,7 +183,7 @@ class Landmarks(QObject):
 
     def close(self) -> None:
         """Look for nothing any more."""
-        self._files.watch(None)
+        self._watch(None)
         self.triangulation.stop()
         self._forget_clicks()
 
@@ -132,7 +192,7 @@ class Landmarks(QObject):
         """One a landmark, as it is in the frame on screen."""
         return entries_of(*self._here())
 
-    def _here(self) -> tuple[LandmarkFile, str | None]:
+    def _here(self) -> FileAndInstant:
         name = self._store.state.frame_name
         return self.file, None if name is None else self.groups.instant_of(name)
 
@@ -182,7 +242,8 @@ class Landmarks(QObject):
             say(self._store, str(error), "warning")
             return False
         self.file = before
-        self._files.note_written()
+        if self._read.working:  # it may have begun before the write
+            self.read_again()
         self._use(file, self.groups, field)
         return True
 
@@ -197,17 +258,33 @@ class Landmarks(QObject):
     # --- what others write ---
 
     def read_again(self) -> None:
-        """One of the files was written just now, by another part of the program."""
-        self._files.read_again()
+        """Read both files, in the background, whoever wrote them."""
+        self._writes += 1
+        self._read.invalidate()
+
+    def _watch(self, workspace: Workspace | None) -> None:
+        self._read.clear()
+        self._writes = 0
+        for name, watch in self._watches.items():
+            watch.watch(None if workspace is None else workspace.folder / name)
+
+    def _to_read(self) -> Inputs | None:
+        workspace = self._store.state.workspace
+        return (workspace, self._writes) if workspace is not None and self._writes else None
 
     def _try_again(self) -> None:
         """With another field what could not be used before may be."""
         if self.problem:
-            self._files.read_again()
+            self.read_again()
 
-    def _take_read(self, file: LandmarkFile, groups: ViewGroups, strange: str) -> None:
+    def _take_read(self) -> None:
         """Another window or program wrote the files, or this one did."""
         workspace = self._store.state.workspace
+        if self._read.value is None:
+            if self._read.problem:
+                self._note_damage(self._read.problem)
+            return
+        file, groups, strange = self._read.value
         self._tell_strange(strange)
         if workspace is None or (not self.problem and (file, groups) == (self.file, self.groups)):
             return
@@ -259,9 +336,6 @@ class Landmarks(QObject):
         if self._clicked.value is not None:
             self.changed.emit()
 
-    def _say_scan_failed(self, text: str) -> None:
-        say(self._store, text, "error")
-
     def _look_at_frame(self) -> None:
         """The annotation on screen is another one; all others are known."""
         name = self._store.state.frame_name
@@ -298,11 +372,17 @@ class Landmarks(QObject):
         places = ((workspace.index[n], self.groups.view_of(n)) for n in names)
         return tuple((index, workspace.frames[index].name, view) for index, view in places)
 
-    @property
-    def ellipses(self) -> tuple[ShownEllipse, ...]:
-        """Return how surely the frame on screen shows the landmarks; the same object as long as
-        nothing changed."""
-        return self._ellipses.value or ()
+    def _to_project(self) -> Inputs | None:
+        """The landmarks on screen with the scored camera, else with the fit."""
+        state = self._store.state
+        size = state.picture_size
+        if size is None or not self.file.landmarks or not state.projection_visible:
+            return None
+        field, camera = self._judge.frame_setup.field, self._judge.camera
+        if camera is not None:
+            return *self._here(), field, size, camera, state.setup.size
+        fit = self._live_fit.result
+        return None if fit is None else (*self._here(), field, size, fit, fit.size)
 
     @staticmethod
     def _path(workspace: Workspace) -> Path:
@@ -316,8 +396,6 @@ class LandmarkTriangulation(QObject):
         working: name of the landmark that is being triangulated; empty for none.
     """
 
-    changed = Signal()  # whether one is being triangulated
-
     def __init__(self, store: Store, live_fit: LiveFit, landmarks: Landmarks) -> None:
         super().__init__(store)
         self._store, self._live_fit = store, live_fit
@@ -330,7 +408,7 @@ class LandmarkTriangulation(QObject):
         if self.working and name in (None, self.working):
             self._task.cancel()
             self.working = ""
-            self.changed.emit()
+            self._landmarks.changed.emit()
 
     def why_kept(self, name: str) -> str:
         """Why a landmark is not to be triangulated; empty where it may be."""
@@ -370,7 +448,7 @@ class LandmarkTriangulation(QObject):
 
         self.working = name
         self._task.start(work, self._located)
-        self.changed.emit()
+        self._landmarks.changed.emit()
 
     def _located(self, outcome: FoundInDataset) -> None:
         name, landmarks, store = self.working, self._landmarks, self._store
@@ -388,9 +466,9 @@ class LandmarkTriangulation(QObject):
             return landmarks.file if deleted else with_positions(landmarks.file, found)
 
         if not found:
-            self.changed.emit()
+            self._landmarks.changed.emit()
         elif not landmarks.edit(placed):
-            self.changed.emit()
+            self._landmarks.changed.emit()
             return  # it was said why
         if deleted:
             title = tr(name.strip())
@@ -406,7 +484,7 @@ class LandmarkTriangulation(QObject):
     def _not_located(self, text: str) -> None:
         self.working = ""
         say(self._store, text, "warning")
-        self.changed.emit()
+        self._landmarks.changed.emit()
 
 
 def _words(one: LocatedLandmark) -> str:

@@ -1,15 +1,18 @@
 """Maps over picture and field, computed in the background: disagreement of two cameras, visible
-field, uncertainty of the fit, painted line widths."""
+field, uncertainty of the fit, painted line widths.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QPainterPath, QPolygonF
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.prediction.uncertainty import (
     GroundUncertainty,
     map_ground_uncertainty,
@@ -19,31 +22,96 @@ from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state import availability
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.map_shapes import (
-    MapShapes,
-    map_shapes,
-    shapes_in_picture,
-    shapes_on_field,
-)
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.store import Store, When
-from procc_annotator.interaction.camera_view import UNCERTAINTY, VisibleField, visible_field
+from procc_annotator.interaction.camera_view import (
+    DISAGREEMENT,
+    UNCERTAINTY,
+    MapStyle,
+    VisibleField,
+    visible_field,
+)
 from procc_annotator.metrics.error_maps import (
+    ContourBand,
     Disagreement,
     bilinear_value,
+    contour_lines,
     disagreement,
     filled_contours,
 )
 from procc_annotator.metrics.projection import ProjectedField, project_markings
-from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr
+
+
+@dataclass(frozen=True, eq=False)
+class MapShapes:
+    """A map as shapes of Qt, in one frame of coordinates; not to be changed.
+
+    Attributes:
+        look: what they are painted with.
+        bands: between each two levels.
+        lines: (N, 4) of each of the look's lines, segment by segment.
+        area: as far as the map reaches; None where its shapes end there by themselves.
+    """
+
+    look: MapStyle
+    bands: tuple[QPainterPath, ...]
+    lines: tuple[FloatArray, ...]
+    area: QPainterPath | None = None
+
+
+def map_shapes(
+    look: MapStyle,
+    values: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    area: ContourBand | None = None,
+) -> MapShapes:
+    """The shapes of a map; safe from any thread, and too slow for that of the interface.
+
+    Args:
+        values, x, y: as for `metrics.error_maps.filled_contours`.
+        area: nothing is painted outside.
+    """
+    return MapShapes(
+        look,
+        tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
+        tuple(segments(contour_lines(values, x, y, line.metres)) for line in look.lines),
+        None if area is None else _path(area),
+    )
+
+
+def shapes_in_picture(found: Disagreement) -> MapShapes:
+    """The shapes of a disagreement in px of the evaluation size."""
+    return map_shapes(DISAGREEMENT, found.metres, found.xs_px, found.ys_px)
+
+
+def shapes_on_field(found: Disagreement) -> MapShapes:
+    """Its shapes in metres of the field, where the first camera sees the ground."""
+    ground = found.ground_a
+    return map_shapes(DISAGREEMENT, found.metres, ground[..., 0], ground[..., 1])
+
+
+def segments(lines: Iterable[FloatArray]) -> FloatArray:
+    """(N, 4) the segments x, y, x, y of polylines (n, 2), one after the other."""
+    pieces = [np.hstack((line[:-1], line[1:])) for line in lines]
+    return np.concatenate(pieces) if pieces else np.empty((0, 4))
+
+
+def _path(band: ContourBand) -> QPainterPath:
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.OddEvenFill)
+    for outlines in band.polygons:
+        for outline in outlines:
+            path.addPolygon(QPolygonF([QPointF(u, v) for u, v in outline.tolist()]))
+    return path
+
 
 _SAME_M = 1e-6
 
@@ -83,12 +151,7 @@ class DisagreementMap(ComputedValue[Compared]):
     """The disagreement in the frame on screen, once a person wants to see it."""
 
     def __init__(self, store: Store, source_frames: SourceFrames) -> None:
-        super().__init__(
-            self._made_of,
-            compare_cameras,
-            store,
-            enabled=False,
-        )
+        super().__init__(self._made_of, compare_cameras, store, enabled=False)
         self._store, self._source_frames = store, source_frames
         store.keep_current(self, source_frames.changed, when=When.NOW)
 
@@ -107,10 +170,8 @@ class DisagreementMap(ComputedValue[Compared]):
     def _made_of(self) -> Inputs | str | None:
         state = self._store.state
         a, b = state.active, state.compared
-        if not state.projection_visible:
-            return tr("Blind: hidden until this frame is committed.")
-        if state.frame is None:
-            return tr("Open a folder of pictures first.")
+        if why := availability.hidden(state) or availability.no_frame(state):
+            return availability.as_sentence(why)
         if a is None and len(state.sources) > 1:
             return tr("No source is judged: choose one first.")
         if a is None or b is None:
@@ -126,7 +187,6 @@ class DisagreementMap(ComputedValue[Compared]):
 
 
 def _why_not(names: tuple[str, str], cameras: Sequence[CameraOrProjections | None]) -> str:
-    """Why two cameras cannot be compared; empty where they can."""
     named = list(zip(names, cameras, strict=True))
     without = [name for name, camera in named if camera is None]
     if without:
@@ -173,6 +233,9 @@ class VisibleFieldRegion(QObject):
     While the next one is worked out the sight before stays, so that the map does not flicker with
     every click. A frame without a camera has nothing in sight; its map stays turned as it was, for
     cameras of one set stand on one side. In blind mode nothing of it is reported.
+
+    Attributes:
+        wanted: whether the map follows the camera.
     """
 
     changed = Signal()
@@ -180,7 +243,7 @@ class VisibleFieldRegion(QObject):
     def __init__(self, store: Store, foresight: PredictionSource, judge: FrameScorer) -> None:
         super().__init__(store)
         self._store, self._foresight, self._judge = store, foresight, judge
-        self._wanted = True
+        self.wanted = True
         self._sight: VisibleField | None = None
         self._sure = True
         self._turns = 0
@@ -192,15 +255,10 @@ class VisibleFieldRegion(QObject):
         store.keep_current(self._found)
         foresight.changed.connect(self._look)
 
-    @property
-    def wanted(self) -> bool:
-        """Return whether the map follows the camera."""
-        return self._wanted
-
     def set_wanted(self, wanted: bool) -> None:
         """Turn the map to the side of the camera, or leave the main camera's side below."""
-        if wanted != self._wanted:
-            self._wanted = wanted
+        if wanted != self.wanted:
+            self.wanted = wanted
             self._look()
 
     @property
@@ -219,15 +277,11 @@ class VisibleFieldRegion(QObject):
         """The half that is in sight alone, see `FieldSight.half`; 0 also by a doubtful camera."""
         return 0 if self.shown is None or not self._sure else self.shown.half
 
-    def close(self) -> None:
-        """Work nothing out any more."""
-        self._found.close()
-
     # --- inside ---
 
     @property
     def _allowed(self) -> bool:
-        return self._wanted and self._store.state.projection_visible
+        return self.wanted and self._store.state.projection_visible
 
     def _made_of(self) -> Inputs | None:
         state = self._store.state
@@ -325,17 +379,11 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
         self,
         store: Store,
         live_fit: LiveFit,
-        blind_lock: BlindLock,
         disagreement: DisagreementMap,
     ) -> None:
-        super().__init__(
-            self._made_of,
-            know_ground,
-            store,
-            enabled=False,
-        )
+        super().__init__(self._made_of, know_ground, store, enabled=False)
         self._store, self._live_fit = store, live_fit
-        self._blind_lock, self._disagreement = blind_lock, disagreement
+        self._disagreement = disagreement
         store.keep_current(self, live_fit.changed, when=When.NOW)
         disagreement.changed.connect(self._give_way)
 
@@ -355,17 +403,9 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
         super().set_enabled(enabled)
 
     def _made_of(self) -> Inputs | str | None:
-        state, live = self._store.state, self._live_fit
-        if state.frame is None:
-            return tr("Open a folder of pictures first.")
-        if barred := self._blind_lock.no_fit:
-            return f"{barred[0].upper()}{barred[1:]}."
-        if not live.allowed:
-            return tr("Blind: hidden until this frame is committed.")
-        if not live.wanted:
-            return tr(
-                "The live fit is off, so there is no uncertainty map (Ctrl+T switches it on)."
-            )
+        live = self._live_fit
+        if live.problem:
+            return availability.as_sentence(live.problem)
         fit = live.result
         if fit is None:
             if live.working:
@@ -373,7 +413,7 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
             return tr("There is no fit of this frame, so no uncertainty map.")
         if fit.camera is None:
             return tr("No camera yet, so no uncertainty map: {why}.", why=fit.failure)
-        return fit, state.sized_field
+        return fit, self._store.state.sized_field
 
     def _give_way(self) -> None:
         if self._disagreement.enabled:
@@ -384,7 +424,9 @@ class LineWidths(ComputedValue[ProjectedField]):
     """The borders of painted lines, once a person wants to see them."""
 
     def __init__(self, store: Store, judge: FrameScorer) -> None:
-        super().__init__(self._made_of, _project, store, enabled=False)
+        super().__init__(
+            self._made_of, lambda *inputs: project_markings(*inputs), store, enabled=False
+        )
         self._store, self._judge = store, judge
         self.failed.connect(self._say)
         store.watch(select.score, self.retry)
@@ -395,7 +437,3 @@ class LineWidths(ComputedValue[ProjectedField]):
 
     def _say(self, text: str) -> None:
         say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")
-
-
-def _project(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
-    return project_markings(camera, setup)

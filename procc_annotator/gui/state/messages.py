@@ -3,27 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from functools import partial
 
-BENT = "bent"  # the notice that paint runs beside what was clicked just now
-UNSAVED = "unsaved"  # the notice that something is not on disk
-
-Level = Literal["info", "warning", "error"]
-
-
-@dataclass(frozen=True, slots=True)
-class Notice:
-    """A line that is so until it is withdrawn.
-
-    Attributes:
-        key: what it is about; there is one notice a key.
-        level: how much it matters.
-        text: one line.
-    """
-
-    key: str
-    level: Level
-    text: str
+from procc_annotator.gui.state.state import Level, Notice
+from procc_annotator.gui.state.store import Store
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,13 +24,22 @@ class Message:
     remedy: str = ""
 
 
-def with_notice(notices: tuple[Notice, ...], notice: Notice) -> tuple[Notice, ...]:
-    """The notices, with one in the place of that about the same thing, or behind the others."""
-    if any(one.key == notice.key for one in notices):
-        return tuple(notice if one.key == notice.key else one for one in notices)
-    return (*notices, notice)
+def say(store: Store, text: str, level: Level = "info", remedy: str = "") -> None:
+    """Show one line, once; ``remedy`` is the action that may help."""
+    _emit(store, Message(text, level, remedy=remedy))
 
 
-def without_notice(notices: tuple[Notice, ...], key: str) -> tuple[Notice, ...]:
-    """The notices but that about one thing."""
-    return tuple(one for one in notices if one.key != key)
+def notify(store: Store, key: str, text: str, level: Level = "warning", remedy: str = "") -> None:
+    """Show a line that stays until it is withdrawn; it replaces an earlier one with its key."""
+    notices = {notice.key: notice for notice in store.state.notices}
+    store.update(notices=tuple((notices | {key: Notice(key, level, text)}).values()))
+    _emit(store, Message(text, level, key, remedy))
+
+
+def withdraw(store: Store, key: str) -> None:
+    """Remove the notice with a key."""
+    store.update(notices=tuple(notice for notice in store.state.notices if notice.key != key))
+
+
+def _emit(store: Store, message: Message) -> None:
+    store.when_notified(partial(store.events.message.emit, message))

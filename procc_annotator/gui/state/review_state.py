@@ -1,20 +1,10 @@
-"""Status, comments, time and provenance of the dataset's frames, as the window sees them.
-
-Signals, and what they say:
-
-=================  ==============================================================================
-statusChanged      a frame's status, comments, verdicts or time (its name), or of all frames ("")
-originsChanged     how the points of the frame on screen came to be
-notVisibleChanged  which elements of a frame were said not to be visible (its name); of another
-                   window's doing only for the frame on screen
-settingChanged     what the dataset was given under a key, here or by another window (the key)
-=================  ==============================================================================
-"""
+"""Review data of the dataset's frames (status, comments, time, provenance), and its blind lock."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
+from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -32,14 +22,24 @@ from procc_annotator.dataset.records import (
     count_points_by_origin,
     new_origins,
     place_by_name,
+    place_of,
 )
 from procc_annotator.dataset.review import (
+    LOCK_SETTING,
     BlindCommit,
+    LockEvent,
     content_of,
+    lock_of,
     read_commit,
+    read_events,
     setting_of,
     write_commit,
+    write_events,
 )
+from procc_annotator.gui.state.availability import no_frame
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
@@ -48,8 +48,6 @@ _POLL_MS = 2000
 _COLLECT_MS = 50  # after it was begun to look what others wrote
 
 _NO_RECORD = FrameRecord()
-
-
 _JUDGED = (Status.APPROVED, Status.REJECTED)
 
 
@@ -57,26 +55,22 @@ class ReviewState(QObject):
     """Review data of the workspace database: status, comments, time, origins, kept current with
     edits and other windows."""
 
-    statusChanged = Signal(str)
-    originsChanged = Signal()
-    notVisibleChanged = Signal(str)
-    settingChanged = Signal(str)
-    failed = Signal(str)  # one line, told once per reason
+    statusChanged = Signal(str)  # status, comments, verdicts or time of a frame, or of all ("")
+    originsChanged = Signal()  # how the points of the frame on screen came to be
+    notVisibleChanged = Signal(str)  # frame; of another window's doing only that on screen
+    settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
 
-    def __init__(
-        self, parent: QObject | None = None, clock: Callable[[], float] = time.monotonic
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, store: Store) -> None:
+        super().__init__(store)
+        self._store = store
         self.database: WorkspaceDatabase | None = None
-        self._clock = clock
         self._origins: dict[str, dict[PointKey, Origin]] = {}
         self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
         self._frame: str | None = None
         self._last_activity: float | None = None
         self._seconds = 0.0
         self._told: tuple[str, ...] = ()
-        self._poll_timer = QTimer(self)
-        self._poll_timer.setInterval(_POLL_MS)
+        self._poll_timer = QTimer(self, interval=_POLL_MS)
         self._poll_timer.timeout.connect(self.poll)
         self._collect_soon = QTimer(self, singleShot=True, interval=_COLLECT_MS)
         self._collect_soon.timeout.connect(self._collect)
@@ -184,33 +178,51 @@ class ReviewState(QObject):
             self.database.resolve_comment(comment.id, resolved)
             self.statusChanged.emit(comment.frame)
 
-    # --- verdicts -----------------------------------------------------------------------------
+    # --- verdicts on camera sources from files; fits change with the clicks and have none -----
 
-    def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
-        """Return whose fault a frame's score is under the camera source at a place, if a person
-        said so; what an older database says of its name holds unless something else was said."""
-        if self.database is None:
+    def verdict(self, frame: str, source: CameraSource) -> Verdict | None:
+        """Return whose fault a frame's score with a source is, also if blind mode hides it; what an
+        older database says of the source's name holds unless something else was said."""
+        if self.database is None or source.files is None:
             return None
         found = self.database.verdicts(frame)
-        return found.get(place) or found.get(place_by_name(source))
+        return found.get(self.place(source)) or found.get(place_by_name(source.name))
+
+    def shown_verdict(self, frame: str) -> FaultParty | None:
+        """Return whose fault a frame's score with the active source is; None while blind mode
+        hides it."""
+        source = self._store.state.active
+        if source is None or not self._store.state.reveals(frame):
+            return None
+        verdict = self.verdict(frame, source)
+        return None if verdict is None else verdict.fault
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
         """Return what was found of every frame, by frame and the camera source's place."""
         return self.database.all_verdicts() if self.database is not None else {}
 
     def set_verdict(
-        self, frame: str, source: str, place: str, fault: FaultParty | None, comment: str = ""
+        self, frame: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
     ) -> None:
-        """Set who caused a frame's low score; None removes the verdict."""
-        if self.database is not None:
-            self.database.set_verdict(frame, source, fault, comment, place=place)
+        """Set who caused a frame's low score with a source; None removes the verdict."""
+        if self.database is not None and source.files is not None:
+            place = self.place(source)
+            self.database.set_verdict(frame, source.name, fault, comment, place=place)
             self.statusChanged.emit(frame)
 
-    def rename_source(self, place: str, before: str, name: str) -> None:
-        """The source at a place has another name: its verdicts go along."""
-        if self.database is not None:
-            self.database.rename_source(place, before, name)
+    def rename_source(self, source: CameraSource, before: str) -> None:
+        """A source has another name: its verdicts go along."""
+        if self.database is not None and (place := self.place(source)):
+            self.database.rename_source(place, before, source.name)
             self.statusChanged.emit("")
+
+    def place(self, source: CameraSource) -> str:
+        """Return what verdicts know a source by, whatever it is called; empty without a dataset or
+        files."""
+        cameras, workspace = source.files, self._store.state.workspace
+        if workspace is None or cameras is None:
+            return ""
+        return place_of(cameras.path, cameras.format, workspace.folder)
 
     # --- elements not visible, and settings ---------------------------------------------------
 
@@ -300,13 +312,13 @@ class ReviewState(QObject):
         """Another frame is on screen: its time begins."""
         self.leave()
         self._frame = frame
-        self._last_activity = self._clock()
+        self._last_activity = monotonic()
         if frame is not None and self.database is not None:
             self.database.last_frame = frame
 
     def note_activity(self) -> None:
         """Count the time since the last activity as work, unless it was a long pause."""
-        now = self._clock()
+        now = monotonic()
         if self._last_activity is not None:
             self._seconds += max(0.0, min(now - self._last_activity, IDLE_S))
         self._last_activity = now
@@ -352,4 +364,114 @@ class ReviewState(QObject):
         before, self._told = self._told, (*database.notices, database.problem)
         for line in filter(None, self._told):
             if line not in before:
-                self.failed.emit(line)
+                say(self._store, line, "warning")
+
+
+class BlindLock(QObject):
+    """Forces blind mode on while the dataset on screen is locked to it.
+
+    Attributes:
+        wanted: the annotator's own choice, which counts where there is no lock.
+    """
+
+    refused = Signal()  # leaving blind mode was refused: switches show the present state again
+
+    def __init__(self, store: Store, review: ReviewState) -> None:
+        super().__init__(store)
+        self._store, self._review = store, review
+        self.wanted = False
+        self._locking = False  # this window does it, and says so itself
+        review.settingChanged.connect(self._take)
+        review.statusChanged.connect(self._take_committed)
+
+    @property
+    def lock(self) -> LockEvent | None:
+        """The lock of the dataset on screen."""
+        return self._store.state.blind_lock
+
+    @property
+    def reason(self) -> str:
+        """Return who locked the dataset and when, in words; empty when no one did. It may begin
+        with a name, which is written as its owner writes it."""
+        return self._said(lock) if (lock := self.lock) is not None else ""
+
+    @property
+    def no_fit(self) -> str:
+        """Why there is no live fit whatever a person wants; empty when there may be one."""
+        if not (reason := self.reason):
+            return ""
+        return tr("{reason}: there is no live fit in it", reason=reason)
+
+    def of_dataset(self) -> dict[str, object]:
+        """Return the state fields of the dataset that the review database belongs to."""
+        return {**self._of_lock(), "committed": self._review.committed_frames()}
+
+    def set_blind(self, blind: bool) -> None:
+        """Hide everything of the camera until the frame is committed, or show it again unless the
+        dataset is locked to blind mode."""
+        if self.lock is None:
+            self.wanted = blind
+            self._store.update(blind=blind)
+        elif not blind:
+            text = tr("{reason}: menu Frame unlocks it, which is recorded", reason=self.reason)
+            say(self._store, text)
+            self.refused.emit()
+
+    def set_locked(self, locked: bool) -> None:
+        """Lock the dataset, for everybody who annotates it, or unlock it; written down either
+        way."""
+        review = self._review
+        if why := no_frame(self._store.state):
+            say(self._store, why, "warning")
+            return
+        events = self._events()
+        if locked != (lock_of(events) is not None):
+            event = LockEvent(locked, self._store.state.author, time.time())
+            self._locking = True
+            review.set_setting(LOCK_SETTING, write_events((*events, event)))
+            self._locking = False
+            said = tr("this dataset is not locked to blind mode any more")
+            if locked:
+                said = tr("this dataset is locked to blind mode")
+            say(self._store, ", ".join(filter(None, (said, review.reach))))
+
+    # --- inside ---
+
+    def _events(self) -> tuple[LockEvent, ...]:
+        return read_events(self._review.setting(LOCK_SETTING))
+
+    def _of_lock(self) -> dict[str, object]:
+        lock = lock_of(self._events())
+        return {"blind_lock": lock, "blind": self.wanted or lock is not None}
+
+    def _said(self, event: LockEvent) -> str:
+        words = tr("This dataset is locked to blind mode")
+        if event.time:
+            words = _who_and_when(event)
+        reach = self._review.reach
+        return f"{words} ({reach})" if reach else words
+
+    def _take(self, key: str) -> None:
+        """The dataset was locked or unlocked, here or in another window."""
+        if key != LOCK_SETTING:
+            return
+        self._store.update(**self._of_lock())
+        events = self._events()
+        if events and not self._locking:
+            say(self._store, self._said(events[-1]), "warning")
+
+    def _take_committed(self, frame: str) -> None:
+        """A frame was committed, here or in another window, or is not any more."""
+        known = self._store.state.committed
+        if not frame:
+            self._store.update(committed=self._review.committed_frames())
+        elif self._review.record(frame).committed != (frame in known):
+            self._store.update(committed=known ^ {frame})
+
+
+def _who_and_when(event: LockEvent) -> str:
+    who = event.author or tr("Somebody")
+    day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
+    if event.locked:
+        return tr("{who} locked this dataset to blind mode on {day}", who=who, day=day)
+    return tr("{who} unlocked this dataset from blind mode on {day}", who=who, day=day)

@@ -18,7 +18,7 @@ from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.strict_json import printable
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.store import Store
 from procc_annotator.messages import first_names
 from procc_annotator.metrics.agreement import FrameAgreement, compare_annotations

@@ -2,37 +2,16 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
+
 from procc_annotator.gui.state.state import State
 
-
-def dataset(state: State) -> object:
-    """Return the dataset that is open."""
-    return state.workspace
-
-
-def field(state: State) -> object:
-    """Return the field that is shown."""
-    return state.field
-
-
-def blind(state: State) -> object:
-    """Return whether blind mode is on."""
-    return state.blind
-
-
-def committed(state: State) -> object:
-    """Return the frames with final clicks."""
-    return state.committed
-
-
-def selection(state: State) -> object:
-    """Return the selected class and points."""
-    return state.selection
-
-
-def unsaved(state: State) -> object:
-    """Return what could not be saved, by frame."""
-    return state.unsaved
+dataset = attrgetter("workspace")
+field = attrgetter("field")
+blind = attrgetter("blind")
+committed = attrgetter("committed")
+selection = attrgetter("selection")
+unsaved = attrgetter("unsaved")
 
 
 def frame(state: State) -> tuple[object, ...]:

@@ -43,10 +43,6 @@ class AnnotatedIndices(QObject):
         found -= {index for index, annotated in self._edited.items() if not annotated}
         return frozenset(found.union(i for i, annotated in self._edited.items() if annotated))
 
-    def close(self) -> None:
-        """Read nothing any more."""
-        self._read.close()
-
     # --- inside ---
 
     def _made_of(self) -> Inputs | None:

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
-
 from PySide6.QtCore import QObject
 
 from procc_annotator.dataset.records import default_author
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.checking.label_check import LabelCheck
-from procc_annotator.gui.state.checking.line_pixels import LinePixels
+from procc_annotator.gui.state.background import ComputedValue
+from procc_annotator.gui.state.checking.label_check import LabelCheck, LinePixels
 from procc_annotator.gui.state.editing.editor import Editing
-from procc_annotator.gui.state.editing.frame_lock import FrameLock
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
-from procc_annotator.gui.state.editing.saving import Saver
+from procc_annotator.gui.state.editing.saving import FrameLock, Saver
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.maps import (
     DisagreementMap,
@@ -23,35 +19,34 @@ from procc_annotator.gui.state.maps import (
     UncertaintyMap,
     VisibleFieldRegion,
 )
-from procc_annotator.gui.state.messages import UNSAVED, Level
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.navigation.field_choice import FieldChoice
-from procc_annotator.gui.state.navigation.navigator import Navigator
-from procc_annotator.gui.state.navigation.opening import Opening
-from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
-from procc_annotator.gui.state.prediction.fit_source import FitSource
+from procc_annotator.gui.state.navigation.navigator import Navigator, Opening
+from procc_annotator.gui.state.prediction.camera_choice import (
+    CameraCorrections,
+    PredictionSource,
+    Proposals,
+)
+from procc_annotator.gui.state.prediction.computed_sources import FitSource, ShotTrack
 from procc_annotator.gui.state.prediction.ghosts import Ghosts
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.prediction.proposals import CameraCorrections, Proposals
-from procc_annotator.gui.state.prediction.shot_track import ShotTrack
-from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.camera_sources import CameraSourceCommands, Verdicts
+from procc_annotator.gui.state.review_state import BlindLock, ReviewState
+from procc_annotator.gui.state.scoring.commands import (
+    CameraSourceCommands,
+    EvaluationSettings,
+)
 from procc_annotator.gui.state.scoring.dataset_scores import (
     DatasetScores,
     DatasetScoring,
 )
-from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
 from procc_annotator.gui.state.sequences import AnnotatedIndices, OpenSequence
-from procc_annotator.gui.state.state import State
+from procc_annotator.gui.state.state import Level, State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.metrics.setup import EvaluationSetup
-
-T = TypeVar("T")
 
 _CACHE_BYTES = 16 * 2**20  # more than the pictures that may come next cost more than they spare
 
@@ -76,13 +71,12 @@ class Services(QObject):
         setup = EvaluationSetup(field if field is not None else load_field())
         self.store = store = Store(State(setup, author=default_author()), self)
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
-        self.review = ReviewState(self)
-        self.saver, self.frame_lock = Saver(self), FrameLock(self)
-        self.source_frames, self.dataset_scores = SourceFrames(self), DatasetScores(self)
+        self.review = ReviewState(store)
+        self.saver, self.frame_lock = Saver(store), FrameLock(store)
+        self.source_frames, self.dataset_scores = SourceFrames(store), DatasetScores(store)
         self.scorer = FrameScorer(store, self.source_frames)
         self.scoring = DatasetScoring(store, self.scorer, self.source_frames, self.dataset_scores)
         store.score = self.scoring.follow
-        self._listen()
         self._make_commands()
         self._make_watches()
 
@@ -93,21 +87,11 @@ class Services(QObject):
 
     # --- assembly -----------------------------------------------------------------------------
 
-    def _listen(self) -> None:
-        """Put into the state what services find by themselves."""
-        self.review.failed.connect(self._say_warning)
-        self.saver.failed.connect(self._say_unsaved)
-        self.saver.changed.connect(self._take_unsaved)
-        self.frame_lock.changed.connect(self._take_holder)
-
     def _make_commands(self) -> None:
         store, review = self.store, self.review
-        self.verdicts = Verdicts(store, review)
         self.selection = SelectionCommands(store)
         self.evaluation = EvaluationSettings(store, review)
-        self.camera_sources = CameraSourceCommands(
-            store, self.scoring, self.dataset_scores, self.verdicts
-        )
+        self.camera_sources = CameraSourceCommands(store, self.scoring, self.dataset_scores, review)
         self.editing = Editing(store, self.saver, self.frame_lock, review, self.scoring)
         self.outside_changes = OutsideChanges(
             store, self.editing, self.camera_sources, self.scoring
@@ -131,7 +115,7 @@ class Services(QObject):
         self.line_widths = LineWidths(store, self.scorer)
         self.disagreement = DisagreementMap(store, self.source_frames)
         self.live_fit = LiveFit(store, self.review, self.blind_lock, self.scorer)
-        self.uncertainty = UncertaintyMap(store, self.live_fit, self.blind_lock, self.disagreement)
+        self.uncertainty = UncertaintyMap(store, self.live_fit, self.disagreement)
         self.fit_source = FitSource(store, self.camera_sources, self.source_frames, self.live_fit)
         self.proposals = Proposals(store, self.blind_lock, self.cache)
         self.corrections = CameraCorrections(store, self.proposals)
@@ -177,41 +161,14 @@ class Services(QObject):
     def close(self) -> None:
         """Stop everything that runs in the background, but for what is being saved."""
         self.saver.settle()
-        for service in (
-            self.outside_changes,
-            self.scoring,
-            self.live_fit,
-            self.label_check,
-            self.field_choice,
-            self.landmarks,
-            self.ghosts,
-            self.visible_region,
-            self.prediction,
-            self.corrections,
-            self.proposals,
-            self.uncertainty,
-            self.disagreement,
-            self.line_widths,
-            self.line_pixels,
-            self.sequence,
-            self.annotated_frames,
-        ):
-            service.close()
+        self.outside_changes.close()
+        self.scoring.close()
+        self.label_check.close()
+        self.field_choice.close()
+        self.landmarks.close()
+        for value in self.findChildren(ComputedValue):
+            value.close()
         self.saver.retry_timer.stop()
         self.frame_lock.close()
         self.review.set_database(None)
         self.cache.close()
-
-    def _take_unsaved(self) -> None:
-        self.store.update(unsaved=self.saver.problems)
-        if not self.state.unsaved:
-            withdraw(self.store, UNSAVED)
-
-    def _take_holder(self) -> None:
-        self.store.update(holder=self.frame_lock.holder)
-
-    def _say_warning(self, text: str) -> None:
-        say(self.store, text, "warning")
-
-    def _say_unsaved(self, text: str) -> None:
-        notify(self.store, UNSAVED, text, "error", remedy="save")

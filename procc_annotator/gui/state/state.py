@@ -22,7 +22,6 @@ from procc_annotator.field.load import field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
-from procc_annotator.gui.state.messages import Notice
 from procc_annotator.image.decoding import HalfSizeImage
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -33,7 +32,27 @@ Option = Literal["snapping", "pinned", "auto_advance", "two_clicks", "draw_first
 
 MIN_TAU, MAX_TAU, DEFAULT_TAU = 0.5, 30.0, 5.0
 
+BENT = "bent"  # the notice that paint runs beside what was clicked just now
+UNSAVED = "unsaved"  # the notice that something is not on disk
+
+Level = Literal["info", "warning", "error"]
+
 _EMPTY = FrameAnnotation()
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """A line that is so until it is withdrawn.
+
+    Attributes:
+        key: what it is about; there is one notice a key.
+        level: how much it matters.
+        text: one line.
+    """
+
+    key: str
+    level: Level
+    text: str
 
 
 @dataclass(frozen=True, slots=True)

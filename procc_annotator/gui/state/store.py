@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import replace
-from enum import Enum, auto
+from dataclasses import fields, replace
+from enum import IntEnum
 from inspect import ismethod
-from typing import Any
+from typing import Any, cast
 from weakref import WeakMethod
 
 import shiboken6
@@ -19,35 +19,54 @@ from procc_annotator.gui.state.events import Events
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.visible_update import VisibleUpdate
 
+_FIELDS = frozenset(field.name for field in fields(State))
 _GESTURE_FIELDS = frozenset({"preview"})  # replaced with every mouse move of a drag
 
 
-class When(Enum):
-    """When a watch calls back after its selection has changed."""
+class When(IntEnum):
+    """When a watch calls back after its selection has changed; each includes those before it."""
 
-    NOW = auto()  # before the command that changed the state returns
-    GESTURE = auto()  # as NOW, and with every move of a drag, which others see after the paint
-    AFTER_PAINT = auto()  # once for all changes, after the next paint
+    GESTURE = 0  # as NOW, and with every move of a drag, which others see after the paint
+    NOW = 1  # before the command that changed the state returns
+    AFTER_PAINT = 2  # once for all changes, after the next paint
 
 
-_DUE = {  # tuples: members are looked up by identity
-    When.GESTURE: (When.GESTURE,),
-    When.NOW: (When.GESTURE, When.NOW),
-    When.AFTER_PAINT: tuple(When),
-}
+class _TracedState:
+    """A state as a selection reads it: notes the names of the fields that are read."""
+
+    def __init__(self, state: State) -> None:
+        self._state = state
+        self.fields: set[str] = set()
+
+    def __getattr__(self, name: str) -> object:
+        if name in _FIELDS:
+            self.fields.add(name)
+            return getattr(self._state, name)
+        return getattr(State, name).__get__(self)  # a property, or a method
 
 
 class _Selection:
-    """A selection of the state that several watches share: evaluated once per state."""
+    """A selection of the state that several watches share: evaluated once per state.
+
+    It is a pure function: as long as the fields that it read are the same, so is its value.
+    """
 
     def __init__(self, select: Callable[[State], object], state: State) -> None:
-        self._select, self._state, self._value = select, state, select(state)
+        self._select, self._state = select, state
         self._version = 0
+        self._value = self._evaluate()
+
+    def _evaluate(self) -> object:
+        traced = _TracedState(self._state)
+        value = self._select(cast(State, traced))
+        self.fields = traced.fields
+        return value
 
     def version(self, state: State) -> int:
         """Return a number that differs if the selection does."""
         if state is not self._state:
-            self._state, value = state, self._select(state)
+            self._state = state
+            value = self._evaluate()
             if not same(value, self._value):
                 self._value = value
                 self._version += 1
@@ -63,6 +82,10 @@ class _Watch:
         self._selection, self.when = selection, when
         self._callback = WeakMethod(callback) if ismethod(callback) else lambda: callback
         self._version = selection.version(state)
+
+    def depends_on(self, fields: set[str]) -> bool:
+        """Return whether the selection may differ after a change of these fields."""
+        return not self._selection.fields.isdisjoint(fields)
 
     def check(self, state: State) -> bool:
         """Call back if the selection has changed; return False once the owner is gone."""
@@ -82,6 +105,10 @@ class _Current:
 
     def __init__(self, value: ComputedValue[Any], when: When) -> None:
         self._value, self.when = value, when
+
+    def depends_on(self, fields: set[str]) -> bool:
+        """Return whether the value may differ after a change of these fields."""
+        return True
 
     def check(self, state: State) -> bool:
         """Invalidate; return False once the value is deleted."""
@@ -113,6 +140,7 @@ class Store(QObject):
         self._transactions = 0
         self._notifying = False
         self._only_gesture = True  # since all watches were checked
+        self._changed = [set[str]() for _ in When]  # fields, since the watches were checked
         self._later: list[Callable[[], object]] = []
         self._after_paint = after_paint(self, self._notify_after_paint)
 
@@ -132,6 +160,8 @@ class Store(QObject):
         other = {k: v for k, v in changes.items() if not same(v, getattr(before, k))}
         if other:
             self._only_gesture = self._only_gesture and other.keys() <= _GESTURE_FIELDS
+            for changed in self._changed:
+                changed.update(other)
             self._state = replace(before, **other)
             self._notify()
 
@@ -173,8 +203,8 @@ class Store(QObject):
     ) -> VisibleUpdate:
         """Update a widget whenever a selection of the state has changed, and after signals of what
         is no part of the state: after the paint, and only while it can be seen."""
-        visible = VisibleUpdate(widget, update)
-        self.watch(select, visible.request)
+        visible = VisibleUpdate(widget, update, lambda: bool(self._changed[When.AFTER_PAINT]))
+        self.watch(select, visible.request, When.AFTER_PAINT)
         for signal in signals:
             signal.connect(visible.request)
         return visible
@@ -220,8 +250,11 @@ class Store(QObject):
         self._notified = self._state
         if when is not When.GESTURE:
             self._only_gesture = True
-        due = _DUE[when]
-        self._check(iter([watch for watch in self._watches if watch.when in due]))
+        changed = self._changed[: when + 1]
+        self._changed[: when + 1] = [set() for _ in changed]
+        due = (watch for watch in self._watches if watch.when <= when)
+        watches = [watch for watch in due if watch.depends_on(changed[watch.when])]
+        self._check(iter(watches))
 
     def _check(self, watches: Iterator[_Watch | _Current]) -> None:
         """Check each watch; if one fails, the rest is checked before its error is raised."""

@@ -45,9 +45,12 @@ class VisibleUpdate(QObject):
     cannot be seen nothing runs; it catches up when it is shown, or its tab is brought to the front.
     """
 
-    def __init__(self, widget: QWidget, update: Callable[[], None]) -> None:
+    def __init__(
+        self, widget: QWidget, update: Callable[[], None], requested: Callable[[], bool]
+    ) -> None:
+        """``requested``: whether a request may follow for what has changed already."""
         super().__init__(widget)
-        self._widget, self._update = widget, update
+        self._widget, self._update, self._requested = widget, update, requested
         self._stale = True
         self._resting = QTimer(self, singleShot=True)
         self._resting.timeout.connect(self.run)
@@ -62,7 +65,7 @@ class VisibleUpdate(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()  # first: other events come while the widget is being destroyed
-        if kind == QEvent.Type.Show and self._stale:
+        if kind == QEvent.Type.Show:
             self.catch_up()
         elif kind in (QEvent.Type.Paint, QEvent.Type.Resize) and self._stale:
             self.request()
@@ -70,7 +73,7 @@ class VisibleUpdate(QObject):
 
     def catch_up(self) -> None:
         """The widget is about to be seen: update before it is painted, if anything changed."""
-        if self._stale and self._widget.isVisible():
+        if (self._stale or self._requested()) and self._widget.isVisible():
             self._run()
 
     @Slot()

@@ -15,9 +15,9 @@ from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.commands.elements.element_edits import ElementEdits
-from procc_annotator.gui.commands.elements.ghosts import GhostCommands
-from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.element_edits import ElementEdits
+from procc_annotator.gui.commands.ghosts import GhostCommands
+from procc_annotator.gui.commands.label_check import LabelCheckCommands
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.panels.element_states import class_swatch, class_title
@@ -172,7 +172,7 @@ def _ignore(label_check: LabelCheckCommands, services: Services, found: StoredFi
 def _add_ghost(menu: QMenu, services: Services, tasks: GhostCommands, name: str) -> None:
     menu.addSection(tr("Ghost of {title}", title=class_title(services.state.field, name)))
     menu.addAction(tr("Accept"), lambda: tasks.accept_named(name))
-    menu.addAction(tr("Look closely"), lambda: tasks.look_at(name))
+    menu.addAction(tr("Look closely"), lambda: services.ghosts.go_to(name))
     menu.addAction(tr("Not visible here"), lambda: tasks.set_not_visible(name, True))
     menu.addSection(tr("Frame"))
 

@@ -18,8 +18,9 @@ from PySide6.QtWidgets import QMainWindow
 from procc_annotator import error_log
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.messages import UNSAVED, Message
+from procc_annotator.gui.state.messages import Message
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import UNSAVED
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.translation import tr
 

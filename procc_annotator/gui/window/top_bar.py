@@ -194,7 +194,11 @@ class SaveState(QLabel):
         self._show()
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
-        """Show some words, with all of it in the tip."""
+        """Show some words, with all of it in the tip.
+
+        There is always room for the usual words: neighbours stay where they are, and Qt need not
+        lay out the bar.
+        """
         self.setToolTip(tip)
         self.setText(text)
         if alarm != self._alarm:
@@ -208,15 +212,10 @@ class SaveState(QLabel):
             self.setPalette(colours)
             self.setFont(font)
             self.setAutoFillBackground(alarm)
-
-    def minimumSizeHint(self) -> QSize:
-        """Room for the usual words, so that neighbours stay where they are."""
-        words = tr("saved {time}", time="00:00:00")
-        usual = self.fontMetrics().horizontalAdvance(words) + 2 * _SAVED_PAD
-        return super().minimumSizeHint().expandedTo(QSize(usual, 0))
-
-    def sizeHint(self) -> QSize:
-        return self.minimumSizeHint()
+        words = (text, tr("saved {time}", time="00:00:00"))
+        metrics = self.fontMetrics()
+        width = max(map(metrics.horizontalAdvance, words)) + 2 * _SAVED_PAD
+        self.setFixedSize(width, metrics.height() + 2 * _SAVED_PAD)
 
     def _show(self) -> None:
         saver = self._services.saver

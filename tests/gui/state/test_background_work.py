@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.files.exporting import ExportAs, Exporter
+from procc_annotator.gui.commands.exporting import ExportAs, Exporter
 from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.state import background
 from procc_annotator.gui.state.background import run_in_background

@@ -32,7 +32,7 @@ from procc_annotator.calibration.result import FitResult
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.review import check_without_fit, store_check
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.label_check import LabelCheckCommands
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
 from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel

@@ -15,7 +15,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QMessageBox, QToolButton
+from PySide6.QtWidgets import QLabel, QMessageBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
@@ -24,8 +24,8 @@ from procc_annotator.batch.calibration import save_fit
 from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.editing import delete_point
 from procc_annotator.formats.cameras.soccernet import read_camera
-from procc_annotator.gui.commands.files.exporting import Exporter, FitSaving
-from procc_annotator.gui.commands.review.triage import Triage
+from procc_annotator.gui.commands.exporting import Exporter
+from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
 from procc_annotator.gui.panels.fit import FitPanel
@@ -341,8 +341,8 @@ def test_a_folder_called_fit_gets_another_name(services, annotated):
 
 
 def save(services: Services, qtbot: QtBot) -> str:
-    told, saving = heard(services), FitSaving(services)
-    saving.save()
+    told = heard(services)
+    Exporter(services, QWidget()).save_fit()
     qtbot.waitUntil(lambda: any("sav" in text for text in told))
     return told[-1]
 
@@ -358,11 +358,11 @@ def test_the_file_holds_the_camera_and_what_it_was_fitted_from(services, annotat
     assert json.loads(path.read_text())["fit"]["model"] == "P"
 
 
-def test_each_fit_is_written_however_soon_the_next_is_asked_for(services, annotated, qtbot):
+def test_each_fit_is_written_however_soon_the_next_is_asked_for(services, annotated, widget, qtbot):
     told = heard(services)
-    saving = FitSaving(services)
+    exporter = Exporter(services, widget)
     for _ in range(2):
-        saving.save()
+        exporter.save_fit()
     qtbot.waitUntil(lambda: sum("is saved as" in text for text in told) == 2)
 
 
@@ -373,7 +373,7 @@ def test_a_single_picture_keeps_its_fit_in_its_folder(open_services, annotated, 
     assert str(path) in save(services, qtbot)
     assert path.exists()
     services.camera_sources.load_cameras(path.parent)
-    assert services.verdicts.place(services.state.sources[0]).endswith(":cameras/fitted")
+    assert services.review.place(services.state.sources[0]).endswith(":cameras/fitted")
 
 
 def test_a_loaded_folder_shows_the_new_camera(services, annotated, qtbot):
@@ -405,11 +405,11 @@ def test_a_camera_of_somebody_else_stays(services, annotated, qtbot):
     assert theirs.read_bytes() == before
 
 
-def test_a_failing_save_is_told_once(services, annotated, qtbot):
+def test_a_failing_save_is_told_once(services, annotated, widget, qtbot):
     (annotated / "cameras" / "fitted").write_text("in the way")
     told: list[tuple[str, str]] = []
     services.store.events.message.connect(lambda m: told.append((m.text, m.level)))
-    FitSaving(services).save()
+    Exporter(services, widget).save_fit()
     qtbot.waitUntil(lambda: bool(told))
     let_work_end(qtbot)
     assert [level for _, level in told] == ["error"]
@@ -571,7 +571,7 @@ def test_it_says_why_there_is_no_camera(services, show, qtbot):
     assert panel.empty.isVisible()
     assert not panel.save.isEnabled()
     services.blind_lock.set_blind(True)
-    qtbot.waitUntil(lambda: panel.empty.text().startswith("Hidden"))
+    qtbot.waitUntil(lambda: panel.empty.text().startswith("Blind"))
     services.blind_lock.set_blind(False)
     services.live_fit.set_wanted(False)
     qtbot.waitUntil(lambda: panel.empty.text().startswith("The live fit is off"))

@@ -13,6 +13,7 @@ from procc_annotator.annotation import Point
 from procc_annotator.dataset import editing, saving
 from procc_annotator.dataset.locks import locks_folder
 from procc_annotator.errors import AnnotationError, SaveError
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.services import Services
 from tests.gui.conftest import draw, heard
 
@@ -374,7 +375,7 @@ def test_another_failure_takes_nothing_unsaved_out_of_sight(services, disk):
     disk.let_go()
     disk.problem = "No space left on device"
     draw(services, MIDDLE)
-    services.review.failed.emit("workspace.db: cannot be written")  # the same full disk
+    say(services.store, "workspace.db: cannot be written", "warning")  # the same full disk
     services.navigator.next_frame()
     assert services.state.unsaved
     disk.problem = ""

@@ -12,9 +12,9 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.label_check.finding import Remedy, RemedyKind
-from procc_annotator.gui.commands.elements.element_edits import ElementEdits
-from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
-from procc_annotator.gui.commands.review.versions import apply_version
+from procc_annotator.gui.commands.element_edits import ElementEdits
+from procc_annotator.gui.commands.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.state.services import Services
 from tests.gui.conftest import draw, heard
 

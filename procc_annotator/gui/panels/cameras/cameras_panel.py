@@ -30,6 +30,7 @@ from procc_annotator.gui.panels.widgets import (
     scrolling,
     show_note,
 )
+from procc_annotator.gui.state.availability import as_sentence, hidden
 from procc_annotator.gui.state.maps import Compared
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
@@ -305,7 +306,7 @@ class CamerasPanel(QWidget):
         if services.state.active_cameras is None:
             notice = error = ""
         elif not services.state.projection_visible:
-            notice, error = tr("Blind: the projection is hidden until this frame is committed."), ""
+            notice, error = as_sentence(hidden(services.state)), ""
         show_note(self.notice, notice)
         if error:
             error = tr("⚠ This frame's camera cannot be used: {error}", error=error)

@@ -14,8 +14,7 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.canvas.map_painting import paint_shapes
 from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
-from procc_annotator.gui.state.map_shapes import MapShapes
-from procc_annotator.gui.state.maps import VisibleFieldRegion
+from procc_annotator.gui.state.maps import MapShapes, VisibleFieldRegion
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import VisibleField

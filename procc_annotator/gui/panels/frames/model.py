@@ -350,7 +350,7 @@ class FramesModel(QAbstractListModel):
             self.scores.get(frame.name),
             (record := self._services.review.record(frame.name)).status,
             record.open_comments,
-            self._services.verdicts.shown_verdict(frame.name),
+            self._services.review.shown_verdict(frame.name),
             self._services.label_check.known.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
             self._depth(index),

@@ -26,6 +26,7 @@ from procc_annotator.gui.panels.plots.export import ExportablePlot
 from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.panels.widgets import choice, empty_state
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import as_sentence, no_frame, no_source
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
@@ -225,9 +226,9 @@ class PlotsPanel(ExportablePlot):
     def _refresh(self) -> None:
         if not self._in_sight:
             return
-        why = self._why_empty()
-        if why:
-            self._forget(why)
+        state = self._services.state
+        if why := no_frame(state) or ("" if state.sources else no_source(state)):
+            self._forget(as_sentence(why))
             return
         page = self.page
         self.scope.setVisible(len(page.scopes) > 1)
@@ -247,16 +248,6 @@ class PlotsPanel(ExportablePlot):
             self._again = True
             return
         self._compute(page, key, request, restrict)
-
-    def _why_empty(self) -> str:
-        services = self._services
-        if services.state.frame is None:
-            return tr("Open a folder of pictures to see plots.")
-        if not services.state.sources:
-            return tr(
-                "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
-            )
-        return ""
 
     def _forget(self, why: str) -> None:
         self._cancel()

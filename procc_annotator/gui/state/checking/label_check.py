@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.assist.frame_analysis import FrameAnalysis
-from procc_annotator.assist.line_evidence import confirmed_evidence
+from procc_annotator.assist.line_evidence import confirmed_evidence, line_evidence
 from procc_annotator.batch.label_check import Checked
 from procc_annotator.calibration.label_check.check import add_line_evidence
+from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.calibration.label_check.finding import Rule, Severity
 from procc_annotator.dataset.review import (
     FrameCheck,
@@ -23,16 +25,80 @@ from procc_annotator.dataset.review import (
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.checking.known_checks import IgnoredFindings, KnownChecks
-from procc_annotator.gui.state.checking.line_pixels import Evidence, LinePixels
+from procc_annotator.gui.state.checking.known_checks import KnownChecks
 from procc_annotator.gui.state.checking.runner import CheckRunner
-from procc_annotator.gui.state.messages import BENT
+from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.state import BENT, same
 from procc_annotator.gui.state.store import Store
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr
+
+Evidence = Mapping[Polyline, LineEvidence]
+_STAYED_MS = 150  # a frame that is left sooner was only passed
+_KEPT_EVIDENCE = 8
+
+
+class LinePixels(ComputedValue[Evidence]):
+    """Line pixels along each element; from the picture alone, so that blind mode may show them.
+
+    An element that did not change is not examined again.
+
+    Attributes:
+        shown: whether a person wants to see it next to the annotation; findings go by it anyway.
+    """
+
+    def __init__(self, store: Store) -> None:
+        super().__init__(
+            self._made_of,
+            self._look_for,
+            store,
+            cache_size=_KEPT_EVIDENCE,
+            cache_scope=lambda: store.state.frame_name,  # each holds the frame's picture
+            stoppable=True,
+            delay_ms=self._wait,
+        )
+        self._store, self.shown = store, False
+        store.keep_current(self)
+        self._frame: str | None = None
+        self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field
+
+    def set_shown(self, shown: bool) -> None:
+        """Draw it next to the annotation, or do not."""
+        if shown != self.shown:
+            self.shown = shown
+            self.changed.emit()
+
+    # --- inside ---
+
+    def _made_of(self) -> Inputs | None:
+        state = self._store.state
+        if state.picture is None:
+            return None
+        return state.annotation, state.picture, state.field
+
+    def _wait(self, _: Inputs) -> int:
+        name, before = self._store.state.frame_name, self._frame
+        self._frame = name
+        return _STAYED_MS if name != before else 0
+
+    def _look_for(
+        self,
+        annotation: FrameAnnotation,
+        picture: PixelArray,
+        field: Field,
+        *,
+        go_on: Callable[[], None],
+    ) -> Evidence:
+        """Find line pixels; runs in a thread, one at a time."""
+        of, before = (picture, field), self._before
+        known = before[1] if before is not None and same(before[0], of) else None
+        found = line_evidence(annotation, picture, field, known, go_on)
+        self._before = of, found
+        return found
+
 
 _KEPT = 16  # checks of the frame on screen, of steps of undo one may come back to
 
@@ -62,15 +128,19 @@ class LabelCheck(QObject):
         paint: LinePixels,
     ) -> None:
         super().__init__(store)
-        self._store, self._live_fit, self._judge = store, live_fit, judge
-        self._paint = paint
+        self._store, self._live_fit, self._judge, self._paint = store, live_fit, judge, paint
         self.severities: frozenset[Severity] = frozenset(Severity)
         self.problems: dict[str, str] = {}
         self.set_checked = False
-        self.ignored = IgnoredFindings(review, self)
-        self.known = KnownChecks(store, self.ignored)
+        self.known = KnownChecks(store, review)
         self._current: tuple[str, str] | None = None  # frame and key
-        self._runner = CheckRunner(store, live_fit, self)
+        self._runner = CheckRunner(
+            store,
+            live_fit,
+            arrived=self._take_arrived,
+            progressed=self.progressed.emit,
+            finished=self._take_end,
+        )
         self._check = ComputedValue(self._to_check, _check, self, cache_size=_KEPT)
         self._content = ComputedValue(self._annotation, content_of, self, background=False)
         self._committed = store.state.committed
@@ -81,9 +151,9 @@ class LabelCheck(QObject):
     def _connect(self, store: Store, review: ReviewState) -> None:
         store.keep_current(self._check, self._live_fit.changed, self._paint.changed)
         self._check.changed.connect(self._look)
-        self._check.failed.connect(self._warn)
+        self._check.failed.connect(partial(say, store, level="warning"))
         self.framesChanged.connect(self.known.look_at_set_again)
-        self.ignored.changed.connect(self._signal)
+        review.settingChanged.connect(self._take_setting)
         review.statusChanged.connect(self.known.look_at_set_again)  # committed elsewhere
         store.watch(select.dataset, self._forget)
         store.watch(select.field, self._forget)
@@ -92,9 +162,6 @@ class LabelCheck(QObject):
         store.watch(select.committed, self._take_commit)
         store.events.annotationEdited.connect(self._note_edit)
         store.events.framesEdited.connect(self._take_edited)
-        self._runner.arrived.connect(self._take_arrived)
-        self._runner.progressed.connect(self.progressed)
-        self._runner.finished.connect(self._take_end)
 
     # --- what is known ----------------------------------------------------------------------
 
@@ -157,7 +224,7 @@ class LabelCheck(QObject):
         elif found is None:
             self._keep_valid(name)
             self._announce()
-        elif (before := self.known.get(name)) is not found:
+        elif (before := self.known.frames.get(name)) is not found:
             self._take(name, found)
             self._check.invalidate()
             if before is not None and found.fitted:
@@ -166,7 +233,7 @@ class LabelCheck(QObject):
     def _take(self, name: str, found: FrameCheck) -> None:
         self._runner.drop(name)
         self.problems.pop(name, None)
-        self.known.keep(name, found)
+        self.known.frames[name] = found
         self._signal(name)
 
     def _keep_valid(self, name: str) -> None:
@@ -174,7 +241,7 @@ class LabelCheck(QObject):
         kept = self.known.check_of(name)
         if kept is not None and kept.content != self._content.value:
             left = still_valid(kept, self._store.state.annotation)
-            self.known.keep(name, left)
+            self.known.frames[name] = left
             if left.found != kept.found:
                 self.framesChanged.emit(name)
 
@@ -185,7 +252,7 @@ class LabelCheck(QObject):
         if name is None:
             return None
         if self.fit_shown:
-            insight, kept = self._live_fit.insight, self.known.get(name)
+            insight, kept = self._live_fit.insight, self.known.frames.get(name)
             # Findings of the picture are not to go and come with every click.
             waits = kept is not None and kept.with_paint and self._paint.working
             return None if insight is None or waits else (insight, field, None, name, evidence)
@@ -214,8 +281,9 @@ class LabelCheck(QObject):
             self._shown = shown
             self.changed.emit()
 
-    def _warn(self, text: str) -> None:
-        say(self._store, text, "warning")
+    def _take_setting(self, setting: str) -> None:
+        if (frame := self.known.take_setting(setting)) is not None:
+            self._signal(frame)
 
     def _signal(self, name: str) -> None:
         self.known.look_at_set_again()
@@ -224,7 +292,6 @@ class LabelCheck(QObject):
         self.framesChanged.emit(name)
 
     def _take_blind(self) -> None:
-        """Blind mode is on or off: other findings may be shown."""
         self.set_checked = False
         self._look()
         self.framesChanged.emit("")
@@ -252,8 +319,8 @@ class LabelCheck(QObject):
             return
         for index in indices:
             name = workspace.frames[index].name
-            known = self.known.drop(name)
-            if self.problems.pop(name, None) is not None or known:
+            checked = self.known.frames.pop(name, None), self.problems.pop(name, None)
+            if checked != (None, None):
                 self._runner.add(name)
         self.framesChanged.emit("")
         self._look()
@@ -276,8 +343,7 @@ class LabelCheck(QObject):
         self._runner.stop()
 
     def close(self) -> None:
-        """Stop everything that runs in the background."""
-        self._check.close()
+        """Stop checking the set and edited frames."""
         self._runner.close()
 
     def _take_end(self, checked: int, from_set: dict[str, FrameCheck]) -> None:
@@ -291,13 +357,13 @@ class LabelCheck(QObject):
         """Keep what the background found, but of frames that changed meanwhile."""
         for name, checked in results:
             if isinstance(checked, str):
-                self.known.drop(name)
+                self.known.frames.pop(name, None)
                 self.problems[name] = checked
             elif not self._is_newest(name, checked):
                 self._runner.add(name)
             elif self._store.state.reveals(name) or not checked.fitted:
                 self.problems.pop(name, None)
-                self.known.keep(name, checked)
+                self.known.frames[name] = checked
         self.framesChanged.emit("")
         self._announce()
 

@@ -7,7 +7,7 @@ from contextlib import closing, contextmanager
 from functools import partial
 from time import monotonic
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer
 
 from procc_annotator.batch.execution.executor import Executor, InProcess
 from procc_annotator.batch.label_check import Checked, CheckFrames, FrameToCheck, with_set_findings
@@ -19,8 +19,8 @@ from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
 
 FrameToRead = tuple[int, bool]  # a frame's index in the dataset, and whether to fit a camera
@@ -35,13 +35,25 @@ _DELAY_MS = 400  # the frame on screen is checked before the frames that were le
 class CheckRunner(QObject):
     """Checks frames in a process: the whole set on request, edited frames once they were left."""
 
-    arrived = Signal(list)  # results: `Checked` each
-    progressed = Signal(int, int)  # frames of the set checked, of how many; (0, 0): finished
-    finished = Signal(int, dict)  # frames of the set checked; checks with a finding from the set
+    def __init__(
+        self,
+        store: Store,
+        live_fit: LiveFit,
+        *,
+        arrived: Callable[[list[Checked]], None],
+        progressed: Callable[[int, int], None],
+        finished: Callable[[int, dict[str, FrameCheck]], None],
+    ) -> None:
+        """Nothing is checked yet.
 
-    def __init__(self, store: Store, live_fit: LiveFit, parent: QObject) -> None:
-        super().__init__(parent)
+        Args:
+            arrived: receives results.
+            progressed: receives frames of the set checked, of how many; (0, 0): finished.
+            finished: receives frames of the set checked, and checks with a finding from the set.
+        """
+        super().__init__(store)
         self._store, self._live_fit = store, live_fit
+        self._arrived, self._progressed, self._finished = arrived, progressed, finished
         self._edited: dict[str, None] = {}  # frames not checked since
         self._set_task = LatestOnlyTask(self, self._fail)
         self._edited_task = LatestOnlyTask(self, self._fail)
@@ -61,8 +73,8 @@ class CheckRunner(QObject):
             return
         self.stop()
         frames = [(i, state.reveals(frame.name)) for i, frame in enumerate(workspace.frames)]
-        self._start(self._set_task, frames, self._finish_set, self.progressed.emit)
-        self.progressed.emit(0, len(frames))
+        self._start(self._set_task, frames, self._finish_set, self._progressed)
+        self._progressed(0, len(frames))
 
     def stop(self) -> None:
         """Stop checking the set; what was found so far arrives."""
@@ -110,14 +122,14 @@ class CheckRunner(QObject):
         work = partial(
             _check_frames, state.workspace, frames, check, state.field, task is self._set_task
         )
-        task.start(work, then, progress=progress, partial=self.arrived.emit)
+        task.start(work, then, progress=progress, partial=self._arrived)
 
     def _finish_set(self, answer: _Answer) -> None:
         self._end_set()
-        self.finished.emit(*answer)
+        self._finished(*answer)
 
     def _end_set(self) -> None:
-        self.progressed.emit(0, 0)
+        self._progressed(0, 0)
         self._later.start()
 
     def _fail(self, text: str) -> None:
@@ -137,12 +149,28 @@ def _check_frames(
     """Check the annotated frames as they are when it is their turn, saved or not; of a whole set
     also what only all frames together say."""
     few = len(frames) <= _FEW
-    reader = _FrameReader(workspace, frames, control)
     checks: list[Checked] = []
-    reported = monotonic()
+    passed, reported = 0, monotonic()
+
+    def chunks() -> Iterator[list[FrameToCheck]]:
+        """Read the annotated frames when they are needed, some at a time."""
+        nonlocal passed
+        chunk: list[FrameToCheck] = []
+        for index, fitted in frames:
+            if control.cancelled:
+                return
+            if (frame := _read(workspace, index, fitted, control)) is None:
+                passed += 1
+                continue
+            chunk.append(frame)
+            if len(chunk) == (1 if few else _CHUNK):
+                yield chunk
+                chunk = []
+        if chunk:
+            yield chunk
+
     with _executor(few) as executor:
-        chunks = reader.chunks(1 if few else _CHUNK)
-        found = executor.map(check, chunks, name=frames_in_words)
+        found = executor.map(check, chunks(), name=frames_in_words)
         with closing(_until_closed(found)) as results:
             for chunk in results:
                 for result in chunk:
@@ -150,7 +178,7 @@ def _check_frames(
                 checks += chunk
                 if monotonic() - reported > _PROGRESS_S:
                     reported = monotonic()
-                    control.progress(reader.passed + len(checks), len(frames))
+                    control.progress(passed + len(checks), len(frames))
                 if control.cancelled:
                     break
     checked = sum(isinstance(outcome, FrameCheck) for _, outcome in checks)
@@ -160,46 +188,18 @@ def _check_frames(
     return checked, with_set_findings(checks, field, lambda name: workspace.read(index[name]))
 
 
-class _FrameReader:
-    """Reads the annotations of frames when they are needed.
-
-    Attributes:
-        passed: frames without annotation, or that cannot be read.
-    """
-
-    def __init__(
-        self, workspace: Workspace, frames: Sequence[FrameToRead], control: JobControl
-    ) -> None:
-        self._workspace, self._frames, self._control = workspace, frames, control
-        self.passed = 0
-
-    def chunks(self, size: int) -> Iterator[list[FrameToCheck]]:
-        """Annotated frames, some at a time."""
-        chunk: list[FrameToCheck] = []
-        for each in self._frames:
-            if self._control.cancelled:
-                return
-            frame = self._read(*each)
-            if frame is None:
-                self.passed += 1
-                continue
-            chunk.append(frame)
-            if len(chunk) == size:
-                yield chunk
-                chunk = []
-        if chunk:
-            yield chunk
-
-    def _read(self, index: int, fitted: bool) -> FrameToCheck | None:
-        frame = self._workspace.frames[index]
-        try:
-            annotation = self._workspace.read(index)
-            if annotation.annotated:
-                size = picture_size(frame.image_path)
-                return FrameToCheck(frame.name, annotation, size, fitted)
-        except (InputError, ImageError) as error:
-            self._control.emit_partial((frame.name, str(error)))
-        return None
+def _read(
+    workspace: Workspace, index: int, fitted: bool, control: JobControl
+) -> FrameToCheck | None:
+    """Return a frame; None if it has no annotation, or cannot be read."""
+    frame = workspace.frames[index]
+    try:
+        annotation = workspace.read(index)
+        if annotation.annotated:
+            return FrameToCheck(frame.name, annotation, picture_size(frame.image_path), fitted)
+    except (InputError, ImageError) as error:
+        control.emit_partial((frame.name, str(error)))
+    return None
 
 
 @contextmanager

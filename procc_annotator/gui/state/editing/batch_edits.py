@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from time import perf_counter
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.records import OriginKind
@@ -49,9 +49,6 @@ class BatchEdits(QObject):
     """Goes through frames, one run at a time. Edits are made on the interface thread: a slice of
     them between what else happens there."""
 
-    progressed = Signal(int, int)  # frames that were gone through, and all
-    finished = Signal(object)  # EditedFrames
-
     def __init__(
         self,
         store: Store,
@@ -75,9 +72,17 @@ class BatchEdits(QObject):
         """Return whether frames are still to be edited or written."""
         return self._outcome is not None
 
-    def start(self, indices: Sequence[int], edit: EditFrame) -> None:
-        """Edit these frames in their order."""
+    def start(
+        self,
+        indices: Sequence[int],
+        edit: EditFrame,
+        finished: Callable[[EditedFrames], None],
+        progressed: Callable[[int, int], None] | None = None,
+    ) -> None:
+        """Edit these frames in their order; ``progressed`` receives how many of how many are
+        done."""
         self._edit, self._stopped = edit, False
+        self._finished, self._progressed = finished, progressed
         self._waiting, self._batch, self._written = list(indices)[::-1], [], []
         self._outcome = EditedFrames(len(indices))
         self._next.start()
@@ -126,7 +131,8 @@ class BatchEdits(QObject):
             else:
                 outcome.unsaved.append((index, str(problem)))
         self._written = []
-        self.progressed.emit(outcome.total - len(self._waiting), max(1, outcome.total))
+        if self._progressed is not None:
+            self._progressed(outcome.total - len(self._waiting), max(1, outcome.total))
         if self._waiting and not self._stopped:
             self._next.start()
         else:
@@ -139,7 +145,7 @@ class BatchEdits(QObject):
         if outcome.edited and workspace is not None:
             self._store.events.framesEdited.emit(outcome.edited)
             self._auditing.frames_edited([workspace.frames[i].name for i in outcome.edited])
-        self.finished.emit(outcome)
+        self._finished(outcome)
 
 
 # Given what a frame holds: what it is to hold, or why it is to stay as it is.
@@ -190,45 +196,29 @@ def edit_frame(
         holder = editing.frame_lock.borrow(name)
         if holder is not None:
             return tr("{who} is editing it", who=holder.author or tr("somebody"))
-    put = _put_on_screen if here else _put_elsewhere
-    why = put(workspace, editing, index, change, label, kind)
+    why = _put(workspace, editing, index, change, label, kind, here=here)
     if why:
         editing.frame_lock.give_back(name)
     return why
 
 
-def _put_on_screen(
+def _put(
     workspace: Workspace,
     editing: Editing,
     index: int,
     change: Change,
     label: str,
     kind: OriginKind,
+    *,
+    here: bool,
 ) -> str:
-    editing.look_at_frame()
-    held = workspace.state(index)
-    if held.error is not None:
-        return str(held.error)
-    after = change(held.history.current)
-    if isinstance(after, str):
-        return after
-    editing.commit_edit(label, after, kind)
-    return ""
-
-
-def _put_elsewhere(
-    workspace: Workspace,
-    editing: Editing,
-    index: int,
-    change: Change,
-    label: str,
-    kind: OriginKind,
-) -> str:
-    workspace.look_again(index)
-    if workspace.state(index).error is None:
+    if here:
+        editing.look_at_frame()
+    else:
+        workspace.look_again(index)
         try:
             # Another window may have saved it since it was read here.
-            if workspace.refresh(index):
+            if workspace.state(index).error is None and workspace.refresh(index):
                 editing.saver.save(index)  # no conflict is left to be decided
         except InputError as error:
             return str(error)
@@ -239,7 +229,9 @@ def _put_elsewhere(
     after = change(before)
     if isinstance(after, str):
         return after
-    if workspace.edit(index, label, after):
+    if here:
+        editing.commit_edit(label, after, kind)
+    elif workspace.edit(index, label, after):
         editing.review.note_edit(name, before, after, kind)
         editing.review.touched(name, before, after)
     return ""

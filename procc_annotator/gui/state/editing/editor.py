@@ -11,16 +11,14 @@ from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.editing.frame_lock import FrameLock
-from procc_annotator.gui.state.editing.saving import Saver
+from procc_annotator.gui.state.availability import no_frame
+from procc_annotator.gui.state.editing.saving import FrameLock, Saver
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr, word
-
-_NOTHING_OPEN = word("open a folder of pictures first")
 
 
 class Editing(QObject):
@@ -58,11 +56,11 @@ class Editing(QObject):
         be had. Until then nothing has been clicked that could be lost."""
         state = self._store.state
         if not state.editable:
-            say(self._store, state.why_not_editable or tr(_NOTHING_OPEN), "warning")
+            say(self._store, state.why_not_editable or no_frame(state), "warning")
             return False
         if self.frame_lock.still_owned():
             return True
-        if not self._acquire():
+        if not self.frame_lock.acquire():
             self._say_held()
             return False
         self.take_newer_file()  # whoever edits looks at `annotation` again from here on
@@ -85,7 +83,7 @@ class Editing(QObject):
         state = self._store.state
         workspace, frame, before = state.workspace, state.frame, state.annotation
         if workspace is None or frame is None or state.why_broken:
-            say(self._store, state.why_broken or tr(_NOTHING_OPEN), "warning")
+            say(self._store, state.why_broken or no_frame(state), "warning")
             return False
         if annotation == before:
             self._warned_of = None
@@ -94,7 +92,7 @@ class Editing(QObject):
         # The lock may have been lost in the middle of a gesture (the machine slept). What was
         # clicked is kept all the same, and the file is not read again now: what was made from the
         # older one would pass for made from the newer one. The save notices that they differ.
-        if not self._acquire():
+        if not self.frame_lock.acquire():
             self._say_held()
         workspace.edit(state.frame_index, label, annotation)
         self.review.note_edit(frame.name, before, annotation, kind, snapped, unseen)
@@ -259,7 +257,6 @@ class Editing(QObject):
         self._warned_of, self._empty_asked = None, False
 
     def _show(self, workspace: Workspace, *, stepped: bool = False) -> None:
-        """Show what the frame holds now."""
         state = self._store.state
         now = workspace.state(state.frame_index).history.current
         chosen = that_survives(state.selection, state.annotation, now, stepped=stepped)
@@ -330,12 +327,6 @@ class Editing(QObject):
             self._warned_of = None
             self._show(state.workspace, stepped=True)
             self._auditing.frame_edited()
-
-    def _acquire(self) -> bool:
-        """Return whether the frame is this window's: anyone who had it may have left it by now."""
-        owned = self.frame_lock.acquire()
-        self._store.update(holder=self.frame_lock.holder)
-        return owned
 
     def _say_held(self) -> None:
         say(self._store, self._store.state.why_not_editable, "warning")

@@ -1,25 +1,78 @@
-"""Follows what other windows and programs write: annotation and camera files."""
+"""Watches files that other windows and programs write: annotations and cameras."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer
 
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.saving import Stamp
+from procc_annotator.dataset.saving import Stamp, stamp_of
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.editing.editor import Editing
-from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.camera_sources import CameraSourceCommands
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.scoring.commands import CameraSourceCommands
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
+
+_SETTLED_MS = 120  # editors write in several steps
+
+
+class FileWatch(QObject):
+    """Watches one file: it may be written, replaced, taken away and put back."""
+
+    def __init__(self, parent: QObject, written: Callable[[], object]) -> None:
+        """Watch nothing yet.
+
+        Args:
+            parent: owns it.
+            written: called when the file may hold something else, or is gone.
+        """
+        super().__init__(parent)
+        self._written = written
+        self.path: Path | None = None
+        self._seen: Stamp = None
+        self._watcher = QFileSystemWatcher(self)
+        self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
+        self._settled.timeout.connect(self._look)
+        # A file that was replaced is noticed by its folder only.
+        self._watcher.fileChanged.connect(self._settled.start)
+        self._watcher.directoryChanged.connect(self._settled.start)
+
+    def watch(self, path: Path | None) -> None:
+        """Watch this file from now on, and no other; None: none."""
+        if path == self.path:
+            return
+        self._settled.stop()
+        # To leave a folder of 20,000 files and watch it again takes 14 ms: another file of the same
+        # one keeps it.
+        folder = None if path is None else str(path.parent)
+        watched = [*self._watcher.files(), *self._watcher.directories()]
+        if left := [one for one in watched if one != folder]:
+            self._watcher.removePaths(left)
+        self.path = path
+        if path is not None:
+            self._seen = stamp_of(path)
+            if folder not in watched:
+                self._watcher.addPath(str(folder))
+            if self._seen is not None:
+                self._watcher.addPath(str(path))
+
+    def _look(self) -> None:
+        if self.path is None:
+            return
+        if str(self.path) not in self._watcher.files() and self.path.exists():
+            self._watcher.addPath(str(self.path))
+        stamp = stamp_of(self.path)
+        if stamp != self._seen:
+            self._seen = stamp
+            self._written()
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -46,10 +99,9 @@ class OutsideChanges(QObject):
         super().__init__(store)
         self._store = store
         self._editing, self._sources, self._auditing = editing, sources, auditing
-        self._looking = LatestOnlyTask(self, self._say_failed)
+        self._looking = LatestOnlyTask(self, partial(say, store, level="error"))
         self._again = False
-        self._watch = FileWatch(self)
-        self._watch.changed.connect(editing.look_at_frame)
+        self._watch = FileWatch(self, editing.look_at_frame)
 
     def watch_file(self, path: Path | None) -> None:
         """Another frame is on screen, with this annotation file."""
@@ -90,9 +142,6 @@ class OutsideChanges(QObject):
         self._looking.cancel()
 
     # --- inside ---
-
-    def _say_failed(self, text: str) -> None:
-        say(self._store, text, "error")
 
     def _look_again(self) -> None:
         again, self._again = self._again, False

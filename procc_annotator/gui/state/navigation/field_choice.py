@@ -30,12 +30,19 @@ from procc_annotator.field.load import is_builtin_field, load_field, with_dimens
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_official
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.background import Job, JobControl, Priority, run_in_background
-from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.background import (
+    ComputedValue,
+    Inputs,
+    Job,
+    JobControl,
+    Priority,
+    run_in_background,
+)
+from procc_annotator.gui.state.editing.outside_changes import FileWatch
+from procc_annotator.gui.state.messages import notify, say, withdraw
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import notify, say, withdraw
-from procc_annotator.gui.state.scoring.evaluation_settings import EvaluationSettings
-from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.scoring.commands import EvaluationSettings
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.translation import tr
 
 
@@ -56,22 +63,28 @@ def mismatch_among(
 
 
 def read_for_dataset(
-    path: Path,
-    dimensions_of: Callable[[Field], Mapping[str, float]],
-    lines_of: Callable[[Field], str],
+    path: Path, shown: Field, settings: Mapping[str, str]
 ) -> tuple[Field | None, str]:
     """The field of a file with the dataset's dimensions as far as it still has them, its lines
-    where the dataset has them; or why not."""
+    where the dataset has them; or why not.
+
+    Args:
+        shown: its dimensions stay if it is of the same file.
+        settings: of the dataset.
+    """
     try:
         nominal = load_field(path)
-        dimensions = dimensions_of(nominal)
+        own = field_settings(settings, nominal)
+        dimensions = own.dimensions
+        if shown.source == path:
+            dimensions = {d.name: d.value for d in shown.dimensions if d.value != d.nominal}
         fits = {
             d.name: dimensions[d.name]
             for d in nominal.dimensions
             if d.name in dimensions and d.minimum <= dimensions[d.name] <= d.maximum
         }
         sized = with_dimensions(nominal, fits) if fits else nominal
-        return with_lines(sized, lines_of(nominal)), ""
+        return with_lines(sized, own.lines or nominal.lines), ""
     except FieldError as error:
         return None, str(error)
 
@@ -111,6 +124,7 @@ class FieldChoice(QObject):
     def __init__(self, store: Store, review: ReviewState, terms: EvaluationSettings) -> None:
         super().__init__(store)
         self._store, self._review, self._terms = store, review, terms
+        self._fail = partial(say, store, level="error")
         self._default = store.state.field
         self.mismatch: Mismatch | None = None
         self.question: Field | None = None
@@ -118,17 +132,15 @@ class FieldChoice(QObject):
         self.own_files: Sequence[Path] = ()
         self.preparing: list[Callable[[Field], object]] = [sample_official]
         self._chosen = self._closed = False
-        self._asked: tuple[frozenset[str], Field] | None = None
-        self._skipped_frames: set[frozenset[str]] = (
-            set()
-        )  # mismatches somebody does not want to hear of
+        self._matching = ComputedValue(self._to_match, mismatch_among, self)
+        self._matching.changed.connect(self._take_match)
+        self._skipped: set[frozenset[str]] = set()  # mismatches that the user ignores
         self._jobs: dict[str, Job] = {}
-        self._watch = FileWatch(self)
-        self._watch.changed.connect(self.read_again)
+        self._watch = FileWatch(self, self.read_again)
         store.events.aboutToLeave.connect(self._finish_size)
         store.watch(select.dataset, self._begin)
         store.watch(select.field, self._watch_file)
-        store.watch(lambda s: (select.annotation(s), s.field), self._look)
+        store.keep_current(self._matching, when=When.NOW)
         store.watch(lambda s: (select.annotation(s), s.field, s.selection), self._forget_refusal)
 
     @property
@@ -141,8 +153,9 @@ class FieldChoice(QObject):
         """The field of a dataset that is being opened; the default one if its own cannot be used,
         until its file can be."""
         folder, settings = folder_of(workspace.root), database.settings()
-        self.problem, self._skipped_frames, self._asked, self.mismatch = "", set(), None, None
-        self.question = None
+        self.problem, self._skipped = "", set()
+        self.question = self.mismatch = None
+        self._matching.clear()
         self._cancel()
         try:
             found = field_of_settings(folder, settings)
@@ -226,16 +239,8 @@ class FieldChoice(QObject):
         field, database = self._store.state.field, self._review.database
         settings = database.settings() if database is not None else {}
 
-        def dimensions_of(nominal: Field) -> Mapping[str, float]:
-            if field.source == path:
-                return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-            return field_settings(settings, nominal).dimensions
-
-        def lines_of(nominal: Field) -> str:
-            return field_settings(settings, nominal).lines or nominal.lines
-
         def work(_: JobControl) -> tuple[Field | None, str]:
-            found, problem = read_for_dataset(path, dimensions_of, lines_of)
+            found, problem = read_for_dataset(path, field, settings)
             return (None if found is None else self._prepared(found)), problem
 
         self._start("read", work, self._take_read)
@@ -253,10 +258,8 @@ class FieldChoice(QObject):
         """Decline the proposed field, and remember it; or ignore these classes."""
         if self.question is None and self.mismatch is None:
             return
-        self._skipped_frames.add(
-            self._unknown()
-        )  # also where it is not worked out yet what they are
-        self._look()
+        self._skipped.add(self._unknown())  # also while it is computed what they are
+        self._matching.invalidate()
         if self.question is not None:
             self.take(self._store.state.field)
 
@@ -308,9 +311,6 @@ class FieldChoice(QObject):
                 "this dataset's field from now on, {reach}: {field}", reach=reach, field=field
             )
         say(self._store, text)
-
-    def _fail(self, text: str) -> None:
-        say(self._store, text, "error")
 
     def _may_choose(self, source: Path | None) -> bool:
         own = self.decided_by_file
@@ -376,26 +376,18 @@ class FieldChoice(QObject):
         self.question = field
         self.changed.emit()
 
-    def _look(self) -> None:
+    def _to_match(self) -> Inputs | None:
         """The frame on screen may hold classes that the field does not know."""
-        field = self._store.state.field
-        classes = frozenset(self._store.state.annotation.annotated)
         unknown = self._unknown()
-        if not unknown or unknown in self._skipped_frames:
-            self._asked = None
-            self._tell(None)
-            return
-        asked = classes, field
-        if asked == self._asked:
-            return
-        self._asked = asked
-        own = tuple(self.own_files)
+        if not unknown or unknown in self._skipped:
+            return None
+        state = self._store.state
+        return frozenset(state.annotation.annotated), state.field, tuple(self.own_files)
 
-        def take(found: Mismatch | None) -> None:
-            if self._asked is asked:
-                self._tell(found if found is not None and found.is_worth_reporting else None)
-
-        self._start("match", lambda _: mismatch_among(classes, field, own), take)
+    def _take_match(self) -> None:
+        if not self._matching.working:
+            found = self._matching.value
+            self._tell(found if found is not None and found.is_worth_reporting else None)
 
     def _unknown(self) -> frozenset[str]:
         """Classes of the frame on screen that the field does not know."""

@@ -1,18 +1,26 @@
-"""From frame to frame: what is shown when one is come to."""
+"""Opens datasets, and goes from frame to frame."""
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.errors import ImageError, InputError
+from procc_annotator.errors import ImageError, ProccError, UsageError
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority, after_paint
 from procc_annotator.gui.state.editing.editor import Editing, held
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.landmarks import PROBLEM, STRANGE, Landmarks
+from procc_annotator.gui.state.messages import notify, say
+from procc_annotator.gui.state.navigation.field_choice import FieldChoice
+from procc_annotator.gui.state.review_state import BlindLock
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import class_that_fits
@@ -41,11 +49,13 @@ class Navigator(QObject):
         self._second, self._outside = second, outside
         # The whole picture, once half its size was painted: who walks on before spares it.
         self._whole = LatestOnlyTask(
-            self, self._fail_whole, priority=Priority.IMMEDIATE, delay_ms=0
+            self,
+            lambda text: self._end_first_look(picture_error=text),
+            priority=Priority.IMMEDIATE,
+            delay_ms=0,
         )
-        self._bringing = LatestOnlyTask(
-            self, self._say, priority=Priority.IMMEDIATE
-        )  # the picture of a frame to come to
+        # The picture of a frame to come to; the frame itself says that it cannot be read.
+        self._bringing = LatestOnlyTask(self, None, priority=Priority.IMMEDIATE)
         self._aim = -1  # the frame that is come to once its picture is there
         self._soon = after_paint(self, self._foresee)
 
@@ -88,7 +98,7 @@ class Navigator(QObject):
         self._bringing.start(
             lambda _: self._cache.get_ready(path),
             lambda _: self._come(index),
-            failed=lambda _: self._come(index),  # the frame says itself that it cannot be read
+            failed=lambda _: self._come(index),
         )
 
     def stay(self) -> None:
@@ -116,22 +126,6 @@ class Navigator(QObject):
         """Show the previous frame, if there is one."""
         self.go_to(self._store.state.frame_index - 1)
 
-    def go_to_unannotated(self, step: int) -> None:
-        """Show the nearest frame without annotation before (-1) or after (1) this one."""
-        workspace = self._store.state.workspace
-        if workspace is None:
-            return
-        index = self._store.state.frame_index + step
-        while 0 <= index < len(workspace.frames):
-            if _is_unannotated(workspace, index):
-                self.go_to(index)
-                return
-            index += step
-        if step > 0:
-            say(self._store, tr("every frame after this one is annotated"))
-        else:
-            say(self._store, tr("every frame before this one is annotated"))
-
     def leave(self) -> None:
         """The frame on screen is left, and may be another window's: what is under way is finished,
         up to the disk."""
@@ -147,7 +141,6 @@ class Navigator(QObject):
         self.stay()
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
-        self._editing.frame_lock.enter(name)
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
@@ -158,7 +151,7 @@ class Navigator(QObject):
             "picture": None,
             "half": None,
             "picture_error": "",
-            "holder": self._editing.frame_lock.holder,
+            "holder": self._editing.frame_lock.enter(name),
         }
         if frame is None:
             return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}
@@ -198,17 +191,11 @@ class Navigator(QObject):
         half = decode_half_size(path) if self._cache.peek(path) is None else None
         if half is None:
             return {"picture": self._cache.get(path)}
-        self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
+        self._whole.start(
+            lambda _: self._cache.get_ready(path),
+            lambda picture: self._end_first_look(picture=picture),
+        )
         return {"half": half}
-
-    def _say(self, text: str) -> None:
-        say(self._store, text, "warning")
-
-    def _take_whole(self, picture: PixelArray) -> None:
-        self._end_first_look(picture=picture)
-
-    def _fail_whole(self, text: str) -> None:
-        self._end_first_look(picture_error=text)
 
     def _end_first_look(self, **found: object) -> None:
         self._store.update(**found, half=None)
@@ -226,9 +213,112 @@ class Navigator(QObject):
         self._editing.review.foresee(frame.name for frame in (here, *soon))
 
 
-def _is_unannotated(workspace: Workspace, index: int) -> bool:
-    """Return whether a frame has no annotation yet; an unreadable one has."""
-    try:
-        return not workspace.annotated_count(index)
-    except InputError:
+class Opening(QObject):
+    """Opens datasets, one after the other; on failure the one on screen stays."""
+
+    def __init__(
+        self,
+        store: Store,
+        walk: Navigator,
+        editing: Editing,
+        blind_lock: BlindLock,
+        field_choice: FieldChoice,
+        landmarks: Landmarks,
+        second: SecondAnnotator,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._walk, self._editing = store, walk, editing
+        self._blind_lock, self._second = blind_lock, second
+        self._field_choice, self._landmarks = field_choice, landmarks
+        self._opened: tuple[Path, Path | None] | None = None
+
+    def open_path(self, path: Path, annotations: Path | None = None) -> bool:
+        """Open a folder of pictures or one picture; on failure the session stays as it is."""
+        if not self._leave(tr("not everything is saved yet: the other dataset was not opened")):
+            return False
+        try:
+            workspace = Workspace.open(path, self._store.state.field, annotations)
+        except ProccError as error:
+            say(self._store, str(error), "error")
+            return False
+        self._take(workspace)
+        self._opened = (path, annotations)
+        return True
+
+    def open_workspace(self, workspace: Workspace) -> bool:
+        """Show a dataset that was put together elsewhere (frames of a video)."""
+        if not self._leave(tr("not everything is saved yet: the video was not opened")):
+            return False
+        self._take(workspace)
+        self._opened = None
+        return True
+
+    def reopener(self) -> Callable[[], Workspace]:
+        """Return what opens the dataset as it is on disk, in a thread of its own: this dataset with
+        this field, whatever is shown by then. It raises `ProccError` if that cannot be opened any
+        more.
+
+        Raises:
+            UsageError: nothing is open.
+        """
+        workspace, field = self._store.state.workspace, self._store.state.field
+        if workspace is None:
+            raise UsageError(tr("nothing is open"))
+        if self._opened is None:  # frames of a video
+            return partial(Workspace, workspace.root, workspace.frames, field, ())
+        path, annotations = self._opened
+        return partial(Workspace.open, path, field, annotations)
+
+    # --- inside ---
+
+    def _leave(self, refusal: str) -> bool:
+        self._walk.leave()
+        if self._editing.saver.save_all():
+            return True
+        say(self._store, refusal, "error")
         return False
+
+    def _take(self, workspace: Workspace) -> None:
+        review, author = self._editing.review, self._store.state.author
+        if review.database is not None:
+            review.database.flush()  # the same dataset may be opened again
+        database = WorkspaceDatabase.open(workspace.root, author)
+        workspace.memory.database = database
+        review.set_database(database)
+        self._editing.frame_lock.set_dataset(workspace.root, author)
+        self._editing.saver.set_workspace(workspace)
+        self._second.close()
+        shown = self._field_choice.field_of(workspace, database)
+        field = self._landmarks.take(workspace, shown.field)
+        workspace.set_field(field)
+        first = workspace.index.get(database.last_frame or "", 0) if workspace.frames else -1
+        setup = self._store.state.setup
+        other_field = field != setup.field or field.source != setup.field.source
+        self._store.update(
+            **self._walk.arrival(workspace, first),
+            **self._blind_lock.of_dataset(),
+            setup=replace(setup, field=field) if other_field else setup,
+        )
+        if field.own_terms:
+            say(self._store, tr("the field of this dataset: {field}", field=field.described))
+        landmarks = {PROBLEM: self._landmarks.problem, STRANGE: self._landmarks.strange}
+        notices = [
+            *_unwritable(workspace),
+            *shown.notices,
+            *filter(None, landmarks.values()),
+            *database.notices,
+            *workspace.notices,
+        ]
+        keys = [key for key, text in landmarks.items() if [text] == notices]
+        if keys:  # what may be mended is told alone
+            notify(self._store, keys[0], notices[0])
+        elif notices:
+            say(self._store, "; ".join(notices[:3]), "warning")
+
+
+def _unwritable(workspace: Workspace) -> Iterator[str]:
+    folder = workspace.frames[0].annotation_folder if workspace.frames else workspace.folder
+    if folder.is_dir() and not os.access(folder, os.W_OK):
+        yield tr(
+            "{folder} cannot be written: nothing that is annotated here can be saved", folder=folder
+        )

@@ -17,15 +17,13 @@ from procc_annotator.assist.frame_analysis import FrameAnalysis
 from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
-from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.state import same
-from procc_annotator.gui.state.store import Store
-from procc_annotator.image.pixels import PixelArray
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.translation import tr
 
@@ -33,7 +31,17 @@ _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
 class Ghosts(QObject):
-    """Follows what is foreseen of the frame; knows no widget."""
+    """Follows what is predicted for the frame; knows no widget.
+
+    Attributes:
+        wanted: whether the user wants to see ghosts.
+        painted: the ghosts to show: while new ones are computed, those of before that are still
+            missing, so that they do not flicker with every click.
+        suggestion: the element to draw next, and its gain: the selected one if it is in sight and
+            has no points, else the one after it. While that is computed, by what was known before.
+        walking: whether a walk through the ghosts is in progress; it goes on while a fit is
+            computed.
+    """
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
@@ -41,19 +49,17 @@ class Ghosts(QObject):
     def __init__(self, store: Store, foresight: PredictionSource, review: ReviewState) -> None:
         super().__init__(store)
         self._store, self._foresight, self._review = store, foresight, review
-        self._wanted = self._suggesting = True
+        self.wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
-        self._latest: FrameAnalysis | None = (
-            None  # of this frame, while a newer one is worked out too
-        )
-        self._painted: tuple[Ghost, ...] = ()
-        self._suggestion: AnnotationSuggestion | None = None
-        self._walking = False
+        self._latest: FrameAnalysis | None = None  # of this frame, while a newer one is computed
+        self.painted: tuple[Ghost, ...] = ()
+        self.suggestion: AnnotationSuggestion | None = None
+        self.walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
         self._points = ComputedValue(
             self._to_find,
-            _find_points,
+            lambda *inputs: find_points(*inputs),
             self,
             cache_size=_KEPT,
             cache_scope=lambda: self._frame,  # each holds the picture it was looked for in
@@ -62,26 +68,22 @@ class Ghosts(QObject):
         self._points.failed.connect(self._say_failed)
         store.keep_current(self._points)
         foresight.changed.connect(self._look)
-        store.watch(lambda s: (select.annotation(s), s.selection), self._look)
+        store.watch(select.frame, self._look)
+        store.watch(lambda s: (s.annotation, s.selection), self._look, When.AFTER_PAINT)
         review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
 
-    @property
-    def wanted(self) -> bool:
-        """Return whether a person wants to see ghosts."""
-        return self._wanted
-
     def set_wanted(self, wanted: bool) -> None:
         """Show ghosts, or do not."""
-        if wanted != self._wanted:
-            self._wanted = wanted
+        if wanted != self.wanted:
+            self.wanted = wanted
             self._look()
 
     @property
     def insight(self) -> FrameAnalysis | None:
         """Return what the ghosts follow from; None where none may be shown."""
-        return self._foresight.insight if self._wanted else None
+        return self._foresight.insight if self.wanted else None
 
     @property
     def known(self) -> tuple[Ghost, ...]:
@@ -90,14 +92,8 @@ class Ghosts(QObject):
         insight = self.insight
         return self._in_order(insight.ghosts) if insight is not None else ()
 
-    @property
-    def painted(self) -> tuple[Ghost, ...]:
-        """Return what to show: while new ghosts are worked out, those of before that are still
-        missing, so that they do not flicker with every click."""
-        return self._painted
-
     def _to_paint(self) -> tuple[Ghost, ...]:
-        if self._latest is None or not self._wanted:
+        if self._latest is None or not self.wanted:
             return ()
         there = frozenset() if self.insight is self._latest else self._there
         return self._in_order(tuple(g for g in self._latest.ghosts if g.name not in there))
@@ -130,16 +126,9 @@ class Ghosts(QObject):
             self._look()
 
     @property
-    def suggestion(self) -> AnnotationSuggestion | None:
-        """The element to draw next, with what that would bring: the chosen one, if it is in sight
-        and has no points; else what comes after it. While that is worked out, by what was known
-        before."""
-        return self._suggestion
-
-    @property
     def suggested_at(self) -> tuple[float, float] | None:
         """Return where in the picture the element to draw next is expected, px."""
-        found, latest = self._suggestion, self._latest
+        found, latest = self.suggestion, self._latest
         if found is None or latest is None or latest.fit.camera is None:
             return None
         px, shown = latest.fit.camera.project(np.array([found.place_world]))
@@ -183,15 +172,9 @@ class Ghosts(QObject):
     # --- the walk -------------------------------------------------------------------------
 
     @property
-    def walking(self) -> bool:
-        """Return whether a walk through the ghosts is under way; it goes on while a fit is
-        worked out."""
-        return self._walking
-
-    @property
     def current(self) -> Ghost | None:
         """The ghost that is examined; None without a walk, and while a fit is worked out."""
-        return self.named(self._at) if self._walking else None
+        return self.named(self._at) if self.walking else None
 
     def named(self, name: str | None) -> Ghost | None:
         """The ghost of a class."""
@@ -202,7 +185,7 @@ class Ghosts(QObject):
 
         A walk that was left goes on behind the place where that was.
         """
-        known, was_walking = self.known, self._walking
+        known, was_walking = self.known, self.walking
         beyond = self._beyond(known, step)
         if not beyond and not was_walking:
             beyond = known
@@ -227,8 +210,8 @@ class Ghosts(QObject):
 
     def go_to(self, name: str) -> None:
         """Look at the ghost of a class."""
-        if self.named(name) is not None and not (self._walking and name == self._at):
-            self._walking, self._at = True, name
+        if self.named(name) is not None and not (self.walking and name == self._at):
+            self.walking, self._at = True, name
             self._points.retry()
             self.changed.emit()
 
@@ -236,8 +219,8 @@ class Ghosts(QObject):
         """End the walk; ``at_end``: the next one begins from the start."""
         if at_end:
             self._at = None
-        if self._walking:
-            self._walking = False
+        if self.walking:
+            self.walking = False
             self.changed.emit()
 
     # --- what was found along them --------------------------------------------------------
@@ -249,7 +232,6 @@ class Ghosts(QObject):
         return None if asked is None else self._points.cached(*asked)
 
     def _search_for(self, ghost: Ghost | None) -> Inputs | None:
-        """Return what the points of a ghost follow from."""
         state = self._store.state
         if ghost is None or state.picture is None:
             return None
@@ -274,10 +256,6 @@ class Ghosts(QObject):
             told = tr("{title}: its line could not be looked for: {why}", title=title, why=text)
             say(self._store, told, "warning")
 
-    def close(self) -> None:
-        """Look for nothing any more."""
-        self._points.close()
-
     # --- keeping up -----------------------------------------------------------------------
 
     def _look(self) -> None:
@@ -285,24 +263,23 @@ class Ghosts(QObject):
         state, insight = self._store.state, self.insight
         here = state.frame_name, state.field.name
         if here != self._frame:
-            self._frame, self._at, self._walking, self._latest = here, None, False, None
+            self._frame, self._at, self.walking, self._latest = here, None, False, None
         fitted = self._foresight.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
-        self._painted, self._suggestion = self._to_paint(), self._to_suggest()
-        waiting = insight is None and self._wanted and self._may_come
-        if self._walking and self.current is None and not waiting:
+        self.painted, self.suggestion = self._to_paint(), self._to_suggest()
+        waiting = insight is None and self.wanted and self._may_come
+        if self.walking and self.current is None and not waiting:
             self._go_on()
         self._points.retry()
-        walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
-        told = insight, here, self._painted, self._suggestion, walk, wanted
+        walk, wanted = (self.walking, self._at), (self.wanted, self.suggesting, self._hidden)
+        told = insight, here, self.painted, self.suggestion, walk, wanted
         if not same(told, self._told):
             self._told = told
             self.changed.emit()
 
     @property
     def _may_come(self) -> bool:
-        """Return whether ghosts are being worked out."""
         foresight = self._foresight
         return foresight.allowed and foresight.wanted and foresight.working
 
@@ -318,7 +295,7 @@ class Ghosts(QObject):
         if left:
             self._at = left[0].name
             return
-        self._at, self._walking = None, False
+        self._at, self.walking = None, False
         if self.insight is not None:
             self.ended.emit()
 
@@ -326,9 +303,3 @@ class Ghosts(QObject):
 def _with_points(annotation: FrameAnnotation) -> frozenset[str]:
     every = (*annotation.polylines, *annotation.unconfirmed)
     return frozenset(p.class_name for p in every if p.points)
-
-
-def _find_points(
-    ghost: Ghost, picture: PixelArray, field: Field, size: tuple[int, int]
-) -> GhostPoints:
-    return find_points(ghost, picture, field, size)

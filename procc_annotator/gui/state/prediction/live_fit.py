@@ -13,12 +13,11 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import no_fit
 from procc_annotator.gui.state.background import ComputedValue, Inputs
-from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, look_up
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.review_state import BlindLock, ReviewState
+from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrame, look_up
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr
@@ -139,10 +138,9 @@ class LiveFit(ComputedValue[Fitted]):
     def _made_of(self) -> Inputs | str | None:
         state = self._store.state
         name = state.frame_name
-        if not self.wanted:
-            return tr("the live fit is off")
-        if name is None or not self.allowed:
-            return None
+        if why := no_fit(state, self._blind_lock.no_fit, wanted=self.chosen):
+            return why
+        assert name is not None
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
         size = state.picture_size or state.setup.size
         field, hidden = self._judge.frame_setup.field, self._review.not_visible(name)

@@ -13,18 +13,21 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.audit import TAU_GRID, FrameAudit, audit_frame
 from procc_annotator.dataset.camera_set import FrameCameras
-from procc_annotator.errors import CameraError, InputError
+from procc_annotator.errors import InputError
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
-from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority, after_paint
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, SourceFrames
-from procc_annotator.gui.state.scoring.frame_score import FrameScorer
+from procc_annotator.gui.state.messages import say
+from procc_annotator.gui.state.scoring.frame_score import (
+    FrameScorer,
+    SourceFrame,
+    SourceFrames,
+    find_camera,
+)
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.measurement import Measurement, measure_projected
-from procc_annotator.metrics.projection import clipped_projection_error, project_field
+from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup
 
 _TELL_AFTER_S = 0.25
@@ -34,7 +37,11 @@ ReadAnnotation = Callable[[], FrameAnnotation | None]
 
 
 class FrameScores(Mapping[str, float]):
-    """Frame name -> JaC at one threshold; a view, built without copying."""
+    """Frame name -> JaC at one threshold; a view, built without copying.
+
+    Attributes:
+        allowed: which frames may be shown; None: all.
+    """
 
     def __init__(
         self,
@@ -44,30 +51,18 @@ class FrameScores(Mapping[str, float]):
     ) -> None:
         self._audits = audits
         self._column = int(np.argmin(np.abs(TAU_GRID - tau)))
-        self._allowed = allowed
-
-    @property
-    def allowed(self) -> Callable[[str], bool] | None:
-        """Which frames may be shown; None: all."""
-        return self._allowed
+        self.allowed = allowed
 
     def __getitem__(self, name: str) -> float:
-        if self._allowed is not None and not self._allowed(name):
+        if self.allowed is not None and not self.allowed(name):
             raise KeyError(name)
         return float(self._audits[name].jac[self._column])
 
     def __iter__(self) -> Iterator[str]:
-        allowed = self._allowed
-        return iter(n for n in self._audits if allowed is None or allowed(n))
+        return iter(n for n in self._audits if self.allowed is None or self.allowed(n))
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
-
-
-def scores_of(state: State) -> FrameScores:
-    """Frame name -> JaC at the threshold, of frames scored so far (while blind: committed ones)."""
-    audits = state.active.audits if state.active is not None else {}
-    return FrameScores(audits, state.tau, state.reveals if state.blind else None)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -83,12 +78,11 @@ class _Outcome:
 class DatasetScores(QObject):
     """Audits the frames of all sources, one source after the other."""
 
-    changed = Signal(object, str)  # source, and a frame's name, or "" for many
     progressed = Signal(int, int)
-    failed = Signal(str)
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, store: Store) -> None:
+        super().__init__(store)
+        self._store = store
         self._set_work = LatestOnlyTask(self, self._fail)
         self._frame_work: dict[str, LatestOnlyTask] = {}
         self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
@@ -116,7 +110,7 @@ class DatasetScores(QObject):
         self.close()
         for source in sources:
             source.clear()
-            self.changed.emit(source, "")
+            self._notify(source)
 
     def start(
         self,
@@ -174,7 +168,7 @@ class DatasetScores(QObject):
             audit = audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted)
         source.take(frame, audit, shown.error)
         if known or audit is not None or shown.error != problem:
-            self.changed.emit(source, frame)
+            self._notify(source, frame)
 
     def audit_again(
         self,
@@ -212,9 +206,10 @@ class DatasetScores(QObject):
                 if outcome.source not in now:
                     continue  # its cameras are others by now
                 outcome.source.take(frame, outcome.audit, outcome.problem)
-                self.changed.emit(outcome.source, frame)
+                self._notify(outcome.source, frame)
 
-        self._frame_work[frame] = LatestOnlyTask(self, self.failed.emit, priority=Priority.URGENT)
+        failed = partial(say, self._store, level="error")
+        self._frame_work[frame] = LatestOnlyTask(self, failed, priority=Priority.URGENT)
         self._frame_work[frame].start(work, done)
 
     # --- inside ---
@@ -235,7 +230,14 @@ class DatasetScores(QObject):
     def _tell_changed(self) -> None:
         untold, self._untold = self._untold, {}
         for source in untold:
-            self.changed.emit(source, "")
+            self._notify(source)
+
+    def _notify(self, source: CameraSource, frame: str = "") -> None:
+        """Signal other scores of a source in a frame, or in many ("")."""
+        if source in self._store.state.sources:
+            self._store.events.sourceAuditsChanged.emit(source)
+        if source is self._store.state.active:
+            self._store.events.frameScoresChanged.emit(frame)
 
     def _end(self) -> None:
         self._tell_changed()
@@ -243,7 +245,7 @@ class DatasetScores(QObject):
 
     def _fail(self, text: str) -> None:
         self._end()
-        self.failed.emit(text)
+        say(self._store, text, "error")
 
 
 def _audit(
@@ -255,30 +257,20 @@ def _audit(
     known: SourceFrame | None = None,
 ) -> tuple[FrameAudit | None, str]:
     """One frame under one source, and why its camera cannot be used."""
-    projected = known.projected if known is not None else None
-    setup = setup.of_frame(frame)
-    try:
-        found = cameras.camera(frame, setup.size)
-    except CameraError as error:
-        return None, str(error)
-    if found is None:
-        return None, ""
-    if problem := field_mismatch(found.assumed_field, setup.field):
-        return None, f"{frame}: {problem} ({NAME_THE_FORMAT})"
-    if problem := clipped_projection_error(found.camera, setup):
-        return None, f"{frame}: {problem}"
+    shown = known if known is not None else find_camera(cameras, frame, setup)
+    if shown.camera is None:
+        return None, shown.error
     try:
         annotation = read()
-    except InputError:  # told when somebody opens this frame; the rest of the set goes on
+    except InputError:  # reported when somebody opens this frame; the rest of the set goes on
         return None, ""
     if annotation is None:
         return None, ""
-    if projected is None:
-        projected = project_field(found.camera, setup)
+    setup = setup.of_frame(frame)
+    projected = shown.projected or project_field(shown.camera, setup)
     measurement = measure_projected(annotation, projected, setup)
-    fitted = FitCounts.of(found.fitted_on, annotation)
-    audit = audit_frame(frame, found.camera, found.model, measurement, tau, fitted=fitted)
-    return audit, ""
+    fitted = FitCounts.of(shown.fitted_on, annotation)
+    return audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted), ""
 
 
 _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
@@ -301,8 +293,6 @@ class DatasetScoring(QObject):
         self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
         self._soon = after_paint(self, self.settle)
         source_frames.set_setup(store.state.setup)
-        set_scores.changed.connect(self._tell)
-        set_scores.failed.connect(self._say_failed)
 
     def follow(self, old: State, new: State) -> None:
         """The state is another one: what was looked up and audited under others is forgotten."""
@@ -331,9 +321,10 @@ class DatasetScoring(QObject):
 
     @property
     def frame_scores(self) -> FrameScores:
-        """Frame name -> JaC at the threshold, for the frames scored so far (in blind mode: those
-        that are committed)."""
-        return scores_of(self._store.state)
+        """Frame name -> JaC at the threshold, of frames scored so far (while blind: committed
+        ones)."""
+        state = self._store.state
+        return FrameScores(self.active_audits, state.tau, state.reveals if state.blind else None)
 
     @property
     def active_audits(self) -> Mapping[str, FrameAudit]:
@@ -360,7 +351,6 @@ class DatasetScoring(QObject):
         """Look up and audit nothing any more."""
         self._soon.stop()
         self._set_scores.close()
-        self._source_frames.close()
 
     def frames_edited(self, names: Collection[str]) -> None:
         """Annotations of frames that are not on screen are others now: audit these anew."""
@@ -421,7 +411,6 @@ class DatasetScoring(QObject):
         return measure_projected(state.annotation, projected, self._judge.frame_setup)
 
     def _look_up(self, state: State) -> None:
-        """Have the frame on screen, and those next to it, looked up in every source."""
         frames = state.workspace.frames if state.workspace is not None else ()
         around = (state.frame_index + 1, state.frame_index - 1)
         beside = [frames[i].name for i in around if 0 <= i < len(frames)]
@@ -440,15 +429,6 @@ class DatasetScoring(QObject):
         }
         ordered = sorted(state.sources, key=lambda source: source is not state.active)
         self._set_scores.start(ordered, readers, state.setup, state.tau)
-
-    def _tell(self, source: CameraSource, frame: str) -> None:
-        if source in self._store.state.sources:
-            self._store.events.sourceAuditsChanged.emit(source)
-        if source is self._store.state.active:
-            self._store.events.frameScoresChanged.emit(frame)
-
-    def _say_failed(self, text: str) -> None:
-        say(self._store, text, "error")
 
 
 def _looked_up(state: State) -> tuple[object, ...]:

@@ -98,8 +98,6 @@ class StretchAccepting(QObject):
         self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
         self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
-        self._then: Callable[[EditedFrames], None] = self._tell_accepted
-        self._edits.finished.connect(lambda outcome: self._then(outcome))
         services.store.watch(select.dataset, self.forget)
         services.shot_track.forgotten.connect(self._stop_looking)
         services.store.watch(select.frame, self._go_on)
@@ -145,8 +143,7 @@ class StretchAccepting(QObject):
             return
         services.store.events.aboutToLeave.emit()
         self._found, self._accepted = self._accepted, {}
-        self._then = self._tell_taken_back
-        self._edits.start(tuple(self._found), self._empty_frame)
+        self._edits.start(tuple(self._found), self._empty_frame, self._tell_taken_back)
 
     def key(self, name: str, _shift: bool) -> bool:
         """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
@@ -164,7 +161,6 @@ class StretchAccepting(QObject):
     # --- which frames -------------------------------------------------------------------------
 
     def _stretch(self) -> _Stretch | None:
-        """Return what is asked for; None where nothing was followed."""
         services, sequence = self._services, self._services.sequence.value
         workspace, shot_track = services.state.workspace, self._services.shot_track
         if sequence is None or workspace is None or not shot_track.tracked:
@@ -198,9 +194,9 @@ class StretchAccepting(QObject):
         if not found:
             self._services.say(tr("no frame was accepted: too little of their lines is seen"))
             return
-        self._found, self._put, self._then = found, {}, self._tell_accepted
+        self._found, self._put = found, {}
         self._at, self._here = self._services.state.frame_index, self._services.state.annotation
-        self._edits.start(tuple(found), self._put_frame)
+        self._edits.start(tuple(found), self._put_frame, self._tell_accepted)
 
     def _fail(self, text: str) -> None:
         self.changed.emit()
@@ -284,7 +280,6 @@ class StretchAccepting(QObject):
 
 
 def _why(outcome: EditedFrames) -> list[str]:
-    """Return what is said of frames that were left as they were, or could not be saved."""
     whys = dict.fromkeys(why for _, why in (*outcome.left, *outcome.unsaved))
     left = len(outcome.left) + len(outcome.unsaved)
     if not left:

@@ -48,17 +48,13 @@ class ElementEdits:
         old = self._selected()
         if old is None or new == old:
             return
+        change: Callable[[FrameAnnotation, str, str], FrameAnnotation] = editing.change_class
+        words = word("{element} becomes {other}")
         if self._services.state.annotation.get(new) is not None:
-            self._swap(old, new)
-            return
-        label = self._step(word("{element} becomes {other}"), element=old, other=new)
-        if self._edit((old, new), label, lambda seen: editing.change_class(seen, old, new)):
+            change, words = editing.swap_classes, word("swap {element} and {other}")
+        label = self._step(words, element=old, other=new)
+        if self._edit((old, new), label, lambda seen: change(seen, old, new)):
             self._services.selection.select_class(new)
-
-    def _swap(self, old: str, other: str) -> None:
-        label = self._step(word("swap {element} and {other}"), element=old, other=other)
-        if self._edit((old, other), label, lambda seen: editing.swap_classes(seen, old, other)):
-            self._services.selection.select_class(other)
 
     def symmetric_classes(self) -> tuple[str, ...]:
         """The other classes that the selected one becomes on the turned field, a turn each."""
@@ -219,7 +215,6 @@ class ElementEdits:
     # --- inside ---------------------------------------------------------------------------
 
     def _selected(self) -> str | None:
-        """The selected class if it is annotated; else says so. What is under way ends first."""
         self._services.store.events.aboutToLeave.emit()
         name = self._services.state.selected_class
         polyline = self._touched(name).get(name) if name is not None else None
@@ -355,14 +350,11 @@ class Naming(QObject):
         }
 
     def _ask(self, class_name: str, drawn: FloatArray, likely: tuple[str, ...]) -> None:
-        services = self._services
-        if (
-            services.state.selected_class != class_name
-            or services.state.annotation.get(class_name) is None
-        ):
+        state = self._services.state
+        if state.selected_class != class_name or state.annotation.get(class_name) is None:
             return  # the frame was left, or the line taken back
-        field = services.state.field
-        keys = element_keys(field, services.state.keymap)
+        field = state.field
+        keys = element_keys(field, state.keymap)
         menu = self.menu = _Offer(keys, partial(self._name, class_name), self._canvas)
         menu.setObjectName("namingMenu")
         menu.setAccessibleName(tr("What is this line?"))
@@ -383,20 +375,17 @@ class Naming(QObject):
 
     def _name(self, class_name: str, name: str) -> None:
         services = self._services
-        drawn, title = (
-            services.state.annotation.get(class_name),
-            tr(services.state.field.title_of(name)),
-        )
-        if services.state.selected_class != class_name or drawn is None:
+        state = services.state
+        drawn, title = state.annotation.get(class_name), tr(state.field.title_of(name))
+        if state.selected_class != class_name or drawn is None:
             return
-        if services.state.annotation.get(name) is not None:  # the two would be swapped
+        if state.annotation.get(name) is not None:  # the two would be swapped
             services.say(tr("{element} is annotated already", element=title), "warning")
             return
         self._edits.change_class(name)
         unclear = name in self._canvas.editor.curved and len(drawn.points) < _CURVE
-        services.selection.select_class(
-            name if unclear else None, continues=unclear
-        )  # or a line comes next
+        # Otherwise a line comes next.
+        services.selection.select_class(name if unclear else None, continues=unclear)
         if unclear:
             why = tr("{element} is a curve, which two points do not show: click on", element=title)
             services.say(why, "warning")

@@ -5,17 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, Qt, QTimer, Signal
+from PySide6.QtCore import QAbstractTableModel, Qt, QTimer
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
-    QDialog,
-    QDialogButtonBox,
     QHeaderView,
     QLabel,
     QLineEdit,
-    QPushButton,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -30,10 +27,11 @@ from procc_annotator.dataset.landmarks.view_groups import (
 )
 from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.commands.dialog_task import DialogTask
-from procc_annotator.gui.messages import as_sentence, ask_to_replace
+from procc_annotator.gui.commands.dialogs import CLOSE, DialogTask, TaskDialog, dialog_buttons
+from procc_annotator.gui.messages import ask_to_replace
 from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
 from procc_annotator.gui.panels.widgets import note_label, show_note
+from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
@@ -61,14 +59,12 @@ class Preview:
     Attributes:
         groups: of the frames that fit it.
         rows: instant, view and frame; those that do not fit last, without instant.
-        fitting: number of rows of frames that fit.
         counts: in one sentence.
         problem: why they cannot be grouped so; empty if they can.
     """
 
     groups: ViewGroups
     rows: tuple[_Row, ...] = ()
-    fitting: int = 0
     counts: str = ""
     problem: str = ""
 
@@ -82,7 +78,7 @@ class Preview:
             for frame in frames
         ]
         alone = [("", "", frame) for frame in named.alone]
-        return cls(groups, (*rows, *alone), len(rows), _counts(named), named.problem)
+        return cls(groups, (*rows, *alone), _counts(named), named.problem)
 
 
 def _counts(named: NamedViews) -> str:
@@ -126,17 +122,8 @@ def _together(sizes: list[int]) -> str:
 class _FramesModel(RowsModel[_Row]):
     """Frames with what the pattern makes of their names; those it does not fit are last."""
 
-    def __init__(self) -> None:
-        super().__init__([tr(header) for header in _HEADERS])
-        self._fitting = 0
-
-    def show_preview(self, preview: Preview) -> None:
-        self.beginResetModel()
-        self.rows, self._fitting = preview.rows, preview.fitting
-        self.endResetModel()
-
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        fits = index.row() < self._fitting
+        fits = bool(self.rows[index.row()][0])
         if role == Qt.ItemDataRole.DisplayRole:
             return self.rows[index.row()][index.column()] or _ALONE
         if role == Qt.ItemDataRole.ForegroundRole and not fits:
@@ -146,77 +133,55 @@ class _FramesModel(RowsModel[_Row]):
         return None
 
 
-class ViewDialog(QDialog):
+class ViewDialog(TaskDialog):
     """Shows nothing but what it is given."""
 
-    patternEdited = Signal(str)
-    writeWanted = Signal()
-
-    def __init__(self, parent: QWidget, there: str) -> None:
+    def __init__(self, parent: QWidget, there: ViewGroups) -> None:
         """Args:
-        there: what the dataset's file says now, in one sentence; empty if absent.
+        there: the groups in the dataset's file now.
         """
-        super().__init__(parent)
-        self.setObjectName("viewDialog")
-        self.setWindowTitle(tr("Group views"))
+        super().__init__(parent, "viewDialog", tr("Group views"))
         self.preview: Preview | None = None
         asked = QLabel(tr(_ASKED), wordWrap=True, textFormat=Qt.TextFormat.RichText)
         self.pattern = QLineEdit(placeholderText="{instant}_{view}")
         self.pattern.setObjectName("viewPattern")
         self.pattern.setAccessibleName(tr("Pattern of the frames' names"))
         self.pattern.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-        self.pattern.textChanged.connect(self._change)
         self.counts = QLabel(wordWrap=True)
         self.counts.setObjectName("viewCounts")
-        self._model = _FramesModel()
+        self._model = _FramesModel(_HEADERS)
         self.table = _table(self._model)
         self.there = note_label("viewThere")
-        show_note(self.there, there)
+        if there.frames:
+            said = tr("{file} is there already: {sizes}.", file=VIEWS_FILE, sizes=_sizes(there))
+            show_note(self.there, said)
         self.note = note_label("viewNote")
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        close = self.buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setAutoDefault(False)
-        self.write = QPushButton(tr("Write {file}", file=VIEWS_FILE))
+        buttons, self.write = dialog_buttons(self, tr("Write {file}", file=VIEWS_FILE), CLOSE)
         self.write.setToolTip(tr("Keep these groups in the dataset's folder"))
         self.write.setEnabled(False)
-        self.buttons.addButton(self.write, QDialogButtonBox.ButtonRole.ActionRole)
-        self.write.setDefault(True)
-        self.write.clicked.connect(self.writeWanted)
-        self.buttons.rejected.connect(self.reject)
+        self.pattern.textChanged.connect(lambda: self.write.setEnabled(False))  # until it is known
         column = QVBoxLayout(self)
         column.addWidget(asked)
-        for part in (self.pattern, self.counts, self.table, self.there, self.note, self.buttons):
+        for part in (self.pattern, self.counts, self.table, self.there, self.note, buttons):
             column.addWidget(part, int(part is self.table))
         self.resize(*_SIZE)
-
-    def suggest(self, pattern: str) -> None:
-        """Write a pattern that fits, unless a person wrote one meanwhile."""
-        if self.pattern.text():
-            return
-        self.pattern.setText(pattern)
-        if not pattern:
-            self.tell(tr(_NONE_FITS))
 
     def show_preview(self, preview: Preview) -> None:
         """Show what the pattern makes of the names; it may be written if nothing is wrong."""
         self.preview = preview
-        self._model.show_preview(preview)
+        self._model.beginResetModel()  # not row by row: a set may have many names
+        self._model.rows = preview.rows
+        self._model.endResetModel()
         self.counts.setText(preview.counts)
         self.tell(as_sentence(preview.problem))
         self.write.setEnabled(bool(preview.groups.frames) and not preview.problem)
 
     def tell(self, text: str) -> None:
-        """Say what is wrong, or nothing."""
         show_note(self.note, text)
 
     def set_running(self, running: bool) -> None:
-        """While the file is being written nothing else can be asked for."""
         self.pattern.setEnabled(not running)
         self.write.setEnabled(not running)
-
-    def _change(self, pattern: str) -> None:
-        self.write.setEnabled(False)  # until it is known what this pattern does
-        self.patternEdited.emit(pattern)
 
 
 def _table(model: QAbstractTableModel) -> QTableView:
@@ -253,16 +218,14 @@ class ViewGrouping(DialogTask):
 
     def ask(self) -> None:
         """Show the dialog, with a pattern that fits the names where there is one."""
-        if (
-            opened_frame(self._services) is None
-            or (workspace := self._services.state.workspace) is None
-        ):
+        workspace = self._services.state.workspace
+        if opened_frame(self._services) is None or workspace is None:
             return
         self._leave()
         self._names = names = tuple(workspace.index)
-        self.dialog = dialog = ViewDialog(self._parent, self._what_is_there())
-        dialog.patternEdited.connect(self._settled.start)
-        dialog.writeWanted.connect(self.write)
+        self.dialog = dialog = ViewDialog(self._parent, self._services.landmarks.groups)
+        dialog.pattern.textChanged.connect(self._settled.start)
+        dialog.write.clicked.connect(self.write)
         dialog.finished.connect(self._leave)
         dialog.show_preview(_nothing(names))
 
@@ -281,20 +244,16 @@ class ViewGrouping(DialogTask):
 
     # --- inside ---
 
-    def _what_is_there(self) -> str:
-        groups = self._services.landmarks.groups
-        if not groups.frames:
-            return ""
-        return tr("{file} is there already: {sizes}.", file=VIEWS_FILE, sizes=_sizes(groups))
-
     def _suggest(self, found: tuple[str, Preview]) -> None:
-        if self.dialog is None or self.dialog.pattern.text():
-            return
         pattern, preview = found
-        self.dialog.suggest(pattern)
+        if self.dialog is None or self.dialog.pattern.text():
+            return  # the user wrote one meanwhile
+        self.dialog.pattern.setText(pattern)
         self._settled.stop()
         if pattern:
             self.dialog.show_preview(preview)
+        else:
+            self.dialog.tell(tr(_NONE_FITS))
 
     def _look(self) -> None:
         """See what the pattern does, off the interface thread: a set may have many names."""
@@ -302,11 +261,9 @@ class ViewGrouping(DialogTask):
         if dialog is None:
             return
         pattern = dialog.pattern.text().strip()
-        self._work.start(lambda _: _preview(names, pattern), self._show, failed=dialog.tell)
-
-    def _show(self, preview: Preview) -> None:
-        if self.dialog is not None:
-            self.dialog.show_preview(preview)
+        self._work.start(
+            lambda _: _preview(names, pattern), dialog.show_preview, failed=dialog.tell
+        )
 
     def _write(self, groups: ViewGroups, known: bytes | None) -> None:
         dialog, workspace = self.dialog, self._services.state.workspace
@@ -358,7 +315,6 @@ def _preview(names: tuple[str, ...], pattern: str) -> Preview:
 
 
 def _nothing(names: tuple[str, ...]) -> Preview:
-    """Return the names without groups, for an empty pattern."""
     rows = Preview.of(NamedViews(ViewGroups(), names)).rows
     counts = tr_count(len(names), "{n:,} frame, none grouped.", "{n:,} frames, none grouped.")
     return Preview(ViewGroups(), rows, counts=counts)

@@ -1,15 +1,20 @@
-"""Opens, names, chooses and forgets camera sources: commands of the store."""
+"""Commands of the store: evaluation settings and camera sources."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject
 
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.records import FaultParty, Verdict, place_of
+from procc_annotator.dataset.database.location import folder_of
+from procc_annotator.dataset.dataset_field import store_dimensions, store_field, store_lines
 from procc_annotator.errors import ProccError
+from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.load import with_stadiums
+from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import (
     CameraSource,
     free_colour,
@@ -17,65 +22,118 @@ from procc_annotator.gui.state.camera_sources import (
     same_files,
     where_else,
 )
+from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScores, DatasetScoring
+from procc_annotator.gui.state.selection import class_that_fits
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
 
 
-class Verdicts:
-    """Verdicts on camera sources from files; fits change with the clicks and have none."""
+class EvaluationSettings(QObject):
+    """Changes what scores are computed with."""
 
     def __init__(self, store: Store, review: ReviewState) -> None:
+        super().__init__(store)
         self._store, self._review = store, review
 
-    def shown_verdict(self, name: str) -> FaultParty | None:
-        """Return who caused a frame's low score with the active source; None while blind mode hides
-        it."""
-        source = self._store.state.active
-        if source is None or not self._store.state.reveals(name):
-            return None
-        verdict = self.verdict(name, source)
-        return None if verdict is None else verdict.fault
+    def set_tau(self, tau: float) -> None:
+        """Change the threshold within its limits; nothing is measured again."""
+        self._store.update(tau=round(min(max(tau, MIN_TAU), MAX_TAU), 1))
 
-    def verdict(self, name: str, source: CameraSource) -> Verdict | None:
-        """Return the verdict on a frame with a source, also if blind mode hides it; None for
-        fits."""
-        if source.files is None:
-            return None
-        return self._review.verdict(name, source.name, self.place(source))
-
-    def set_verdict(
-        self, name: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
+    def set_protocol(
+        self,
+        protocol: str | None = None,
+        *,
+        off_plane: str | None = None,
     ) -> None:
-        """Set the verdict on a frame with a source from files; None removes it."""
-        if source.files is not None:
-            self._review.set_verdict(name, source.name, self.place(source), fault, comment)
+        """Change the terms of the evaluation."""
+        setup = self._store.state.setup
+        other = replace(
+            setup,
+            protocol=protocol or setup.protocol,
+            off_plane=off_plane or setup.off_plane,
+        )
+        if other != setup:
+            self._store.update(setup=other)
 
-    def rename_source(self, source: CameraSource, before: str) -> None:
-        """A source has another name: its verdicts go along."""
-        if place := self.place(source):
-            self._review.rename_source(place, before, source.name)
+    def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
+        """Median and 95 % of the distances between two annotators, px; shown next to tau."""
+        self._store.update(noise_floor=floor)
 
-    def place(self, source: CameraSource) -> str:
-        """Return what verdicts know a source by, whatever it is called; empty without a dataset or
-        files."""
-        cameras, workspace = source.files, self._store.state.workspace
-        if workspace is None or cameras is None:
-            return ""
-        return place_of(cameras.path, cameras.format, workspace.folder)
+    def set_sized_field(self, field: Field, *, keep: bool = True) -> None:
+        """Give the field other dimensions, or lines elsewhere; all that is shown and judged goes by
+        them.
+
+        Args:
+            field: the one that is shown, `resized`.
+            keep: whether the dataset keeps its dimensions and where its lines are.
+
+        Raises:
+            FieldError: a landmark has the name of one of the field's classes.
+        """
+        field = self._with_own_landmarks(field)
+        if keep and (database := self._review.database) is not None:
+            store_dimensions(database, field)
+            store_lines(database, field)
+        self.take_field(field)
+
+    def set_field(self, field: Field, *, keep: bool = True) -> None:
+        """Show, judge and fit by another field; annotations, their histories and what is not saved
+        yet stay, as do the dataset's landmarks.
+
+        Args:
+            field: of any sport; classes that it does not know stay in sight.
+            keep: whether the dataset remembers it.
+
+        Raises:
+            FieldError: a landmark has the name of one of the field's classes.
+        """
+        state = self._store.state
+        chosen = state.selected_class
+        # What is under way belongs to the field of before, unless that is only written anew.
+        if keep or not (chosen is None or field.knows(chosen)):
+            self._store.events.aboutToLeave.emit()
+        field = self._with_own_landmarks(field)
+        database = self._review.database
+        if keep and state.workspace is not None and database is not None:
+            store_field(database, folder_of(state.workspace.root), field)
+        self.take_field(field)
+        state = self._store.state
+        chosen = state.selected_class
+        if class_that_fits(chosen, field, state.annotation) != chosen:
+            self._store.update(selection=ChosenElement())
+        self._store.update(hovered_class=None)
+
+    def take_field(self, field: Field) -> None:
+        """Go by a field; what the dataset keeps of its field stays."""
+        state = self._store.state
+        if field == state.field and field.source == state.field.source:
+            return
+        changes: dict[str, object] = {"setup": replace(state.setup, field=field)}
+        if state.workspace is not None:
+            state.workspace.set_field(field)
+            if state.frame is not None:
+                changes["annotation"] = state.workspace.state(state.frame_index).history.current
+        self._store.update(**changes)
+
+    def _with_own_landmarks(self, field: Field) -> Field:
+        own = self._store.state.field
+        if field.stadiums is None and field.name == own.name:  # its file was read again
+            field = with_stadiums(field, own.stadiums)
+        return with_landmarks(field, own.landmarks, own.instant, own.instants)
 
 
 class CameraSourceCommands(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
     def __init__(
-        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, verdicts: Verdicts
+        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, review: ReviewState
     ) -> None:
         super().__init__(store)
         self._store, self._auditing = store, auditing
-        self._set_scores, self._verdicts = set_scores, verdicts
+        self._set_scores, self._review = set_scores, review
 
     # --- which there are ----------------------------------------------------------------------
 
@@ -98,15 +156,14 @@ class CameraSourceCommands(QObject):
         source = self.add_source(cameras)
         if name is not None:
             self.rename_source(source, name)
-        remarks = [*cameras.notices, *self._no_match(cameras)]
+        remarks = [*cameras.notices, *filter(None, [self._no_match(cameras)])]
         if remarks:
             say(self._store, "; ".join(remarks), "warning")
         return True
 
     def _only_below(self, cameras: CameraSet) -> bool:
-        """Return whether all cameras lie in folders of it, and none by the place of a frame:
-        sets of
-        their own."""
+        """Return whether all cameras are in folders of it, and none by the place of a frame: sets
+        of their own."""
         return self._none_matches(cameras) and all("/" in name for name in cameras.frames)
 
     def _none_matches(self, cameras: CameraSet) -> bool:
@@ -114,18 +171,17 @@ class CameraSourceCommands(QObject):
         frames = workspace.frames if workspace is not None else ()
         return bool(frames) and not any(frame.name in cameras.frames for frame in frames)
 
-    def _no_match(self, cameras: CameraSet) -> Iterator[str]:
-        """Return what to say of cameras that belong to no frame of the dataset."""
+    def _no_match(self, cameras: CameraSet) -> str:
         workspace = self._store.state.workspace
-        if workspace is not None and self._none_matches(cameras):
-            frames = workspace.frames
-            yield tr(
-                "{path}: no camera has the name of a frame (cameras are named like {camera!r},"
-                " frames like {frame!r})",
-                path=cameras.path,
-                camera=next(iter(cameras.frames)),
-                frame=frames[0].name,
-            )
+        if workspace is None or not self._none_matches(cameras):
+            return ""
+        return tr(
+            "{path}: no camera has the name of a frame (cameras are named like {camera!r},"
+            " frames like {frame!r})",
+            path=cameras.path,
+            camera=next(iter(cameras.frames)),
+            frame=workspace.frames[0].name,
+        )
 
     def add_source(
         self,
@@ -202,7 +258,7 @@ class CameraSourceCommands(QObject):
         if source.files is not None and name and name != before:
             others = [s for s in self._store.state.sources if s is not source]
             source.files.name = free_name(name, others)
-            self._verdicts.rename_source(source, before)
+            self._review.rename_source(source, before)
             self._show_looks()
 
     def set_source_colour(self, source: CameraSource, colour: str) -> None:
@@ -227,7 +283,6 @@ class CameraSourceCommands(QObject):
         self._store.update(looks=tuple(source.look for source in self._store.state.sources))
 
     def _list(self, sources: Sequence[CameraSource], active: CameraSource | None) -> None:
-        """List these sources and judge against one of them."""
         state = self._store.state
         choice, before = state.compared_choice, state.active
         # Two that are compared change places; a person's choice of a third one stays.

@@ -10,7 +10,6 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QListView,
     QStackedWidget,
@@ -27,9 +26,11 @@ from procc_annotator.dataset.workspace import restore_version
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
+from procc_annotator.gui.commands.dialogs import CLOSE, dialog_buttons
 from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.tables import Index
 from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.pixels import PixelArray
@@ -64,8 +65,7 @@ class VersionsDialog(QDialog):
         picture: PixelArray | None,
         field: Field,
         size: tuple[int, int],
-        *,
-        current: FrameAnnotation | None = None,
+        current: FrameAnnotation,
     ) -> None:
         """Build the dialog.
 
@@ -77,7 +77,7 @@ class VersionsDialog(QDialog):
             picture: (H, W, 4) BGRA of the frame, or None if it cannot be shown.
             field: names and colours.
             size: (width, height) of the picture, px; counts when there is no picture.
-            current: the annotation as it is now; by default that of the newest version.
+            current: the annotation as it is now.
         """
         super().__init__(parent)
         self.setObjectName("versionsDialog")
@@ -94,13 +94,10 @@ class VersionsDialog(QDialog):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.preview = AnnotationPreview(picture, field, size)
         self.note = note_label("versionsNote")
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.restore = self.buttons.addButton(tr("Restore"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.buttons, self.restore = dialog_buttons(self, tr("Restore"), CLOSE)
         self.restore.setObjectName("versionsRestore")
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
+        self.restore.clicked.connect(self.accept)
         self._arrange()
-        self.restore.setDefault(True)  # a dialog takes no notice before the button is in it
         self.list.selectionModel().currentChanged.connect(self._show)
         self.list.setCurrentIndex(self.model.index(0))
         self._show()
@@ -138,7 +135,7 @@ class VersionsDialog(QDialog):
         current = self.model.current
         if isinstance(version, FrameAnnotation):
             self.preview.set_annotation(version)
-            self.restore.setEnabled(version.polylines != _polylines(current))
+            self.restore.setEnabled(version.polylines != current.polylines)
             show_note(self.note, comparison(version, current, self._field))
         else:
             self.preview.set_annotation(FrameAnnotation())
@@ -153,21 +150,13 @@ class VersionsModel(QAbstractListModel):
         self,
         versions: Sequence[VersionRow],
         preview: Callable[[str], FrameAnnotation],
-        current: FrameAnnotation | None,
+        current: FrameAnnotation,
     ) -> None:
         super().__init__()
         self.rows = sorted(versions, key=lambda v: (v.time, v.id), reverse=True)
         self._preview = preview
         self._read: dict[int, FrameAnnotation | ProccError] = {}
-        self._current = current
-
-    @property
-    def current(self) -> FrameAnnotation | None:
-        """Return what versions are compared with; None if it is not known."""
-        if self._current is None and self.rows:
-            newest = self.annotation(0)
-            return newest if isinstance(newest, FrameAnnotation) else None
-        return self._current
+        self.current = current
 
     def annotation(self, row: int) -> FrameAnnotation | ProccError:
         """The annotation of a row, or why it cannot be read."""
@@ -197,9 +186,8 @@ class VersionsModel(QAbstractListModel):
         )
         content = tr("cannot be read")
         if isinstance(annotation, FrameAnnotation):
-            content = content_words(annotation)
-            if self.current is not None:
-                content += f"  ({difference_words(annotation, self.current)})"
+            difference = difference_words(annotation, self.current)
+            content = f"{content_words(annotation)}  ({difference})"
         return when, version.author, tr(version.reason), content
 
 
@@ -223,15 +211,9 @@ def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
     """Return what restoring a version would add and take away: "+2 elements, −5 points"."""
     if version.polylines == current.polylines:
         return tr("as now")
-    changes = [
-        f"{'+' if more > 0 else '−'}{so_many(abs(more))}"
-        for more, so_many in zip(
-            (a - b for a, b in zip(_counts(version), _counts(current), strict=True)),
-            (_elements, _points),
-            strict=True,
-        )
-        if more
-    ]
+    both = zip(_counts(version), _counts(current), (_elements, _points), strict=True)
+    more = [(then - now, words) for then, now, words in both if then != now]
+    changes = [f"{'+' if n > 0 else '−'}{words(abs(n))}" for n, words in more]
     if changes:
         return ", ".join(changes)
     return (
@@ -241,10 +223,8 @@ def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
     )
 
 
-def comparison(version: FrameAnnotation, current: FrameAnnotation | None, field: Field) -> str:
+def comparison(version: FrameAnnotation, current: FrameAnnotation, field: Field) -> str:
     """A version against what is there now, with the names of the elements that differ."""
-    if current is None:
-        return content_words(version)
     if version.polylines == current.polylines:
         return tr("This is what the frame holds now.")
     was, now = (
@@ -262,10 +242,6 @@ def comparison(version: FrameAnnotation, current: FrameAnnotation | None, field:
         changes=words,
         elements=", ".join(titles),
     )
-
-
-def _polylines(annotation: FrameAnnotation | None) -> object:
-    return annotation.polylines if annotation is not None else None
 
 
 def _counts(annotation: FrameAnnotation) -> tuple[int, int]:
@@ -332,7 +308,7 @@ class Versions:
         workspace, frame = services.state.workspace, services.state.frame
         database = services.review.database
         if workspace is None or frame is None or database is None:
-            services.say(tr("open a folder of pictures first"))
+            services.say(no_frame(services.state))
             return
         rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
         index = services.state.frame_index
@@ -347,7 +323,7 @@ class Versions:
             services.navigator.picture,
             services.state.field,
             services.state.picture_size or (2, 2),
-            current=services.state.annotation,
+            services.state.annotation,
         )
         if dialog.exec() and dialog.chosen_id is not None:
             apply_version(services, dialog.chosen_id)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWidget
 
 from procc_annotator.field.load import field_titles, is_builtin_field
-from procc_annotator.gui.messages import Bar, as_sentence
+from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr
 
@@ -20,21 +20,15 @@ from procc_annotator.translation import tr
 class FieldBar(Bar):
     """Shows why the field may be the wrong one, or why its file cannot be used."""
 
-    switch_chosen = Signal()
-    left = Signal()
-
     def __init__(self) -> None:
         super().__init__("fieldBar")
         self.switch_button = QPushButton()
-        self.switch_button.clicked.connect(self.switch_chosen)
         self.close_button = QToolButton()
         self.close_button.setText("✕")
         self.close_button.setAutoRaise(True)
         self.close_button.setToolTip(tr("Keep the field, and say nothing more of these classes"))
-        self.close_button.clicked.connect(self.left)
         self.no_button = QPushButton()
         self.no_button.setToolTip(tr("The dataset remembers it, and is not asked about again"))
-        self.no_button.clicked.connect(self.left)
         self.row.addWidget(self.switch_button)
         self.row.addWidget(self.no_button)
         self.row.addWidget(self.close_button)
@@ -80,8 +74,9 @@ class FieldChoosing(QObject):
         self._choice.changed.connect(self._refresh_bar)
         services.store.watch(select.field, self._note_own)
         services.store.watch(select.frame, self._refresh_bar)
-        bar.switch_chosen.connect(self._choice.switch)
-        bar.left.connect(self._choice.leave)
+        bar.switch_button.clicked.connect(self._choice.switch)
+        bar.no_button.clicked.connect(self._choice.leave)
+        bar.close_button.clicked.connect(self._choice.leave)
 
     def fill(self, menu: QMenu, before: QAction, switch: QAction) -> None:
         """Put the fields into a menu, before an action of it; the one on screen is ticked."""
@@ -132,16 +127,13 @@ class FieldChoosing(QObject):
         action = QAction(title.replace("&", "&&"), self)
         action.setCheckable(True)
         action.setData(source)
-        action.triggered.connect(self._chooses(source))
+        action.triggered.connect(lambda: self._choose(source))
         self._group.addAction(action)
         return action
 
-    def _chooses(self, source: str | Path) -> Callable[[], None]:
-        def choose() -> None:
-            self._choice.choose(source)
-            self.refresh_menu()  # the tick stays where the field is until it is another one
-
-        return choose
+    def _choose(self, source: str | Path) -> None:
+        self._choice.choose(source)
+        self.refresh_menu()  # the tick stays where the field is until it is another one
 
     def _note_own(self) -> None:
         """A file of the user's own is offered from now on, also to datasets whose classes fit."""

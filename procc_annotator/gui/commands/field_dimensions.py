@@ -7,17 +7,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 from html import escape
+from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QComboBox,
-    QDialog,
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
-    QProgressBar,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -29,10 +28,10 @@ from procc_annotator.field.dimensions import Dimension, violated_relation
 from procc_annotator.field.load import stadium_of
 from procc_annotator.field.markings import has_off_centre_markings
 from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
-from procc_annotator.gui.commands.dialog_task import DialogTask
-from procc_annotator.gui.messages import as_sentence
+from procc_annotator.gui.commands.dialogs import DialogTask, TaskDialog, dialog_buttons
 from procc_annotator.gui.panels.widgets import RangeBox, note_label, show_note
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import opened_frame
@@ -65,25 +64,26 @@ _FIXED_SIDES = word(
 _FINEST = 4  # decimals of a metre
 
 
-class FieldDimensionsDialog(QDialog):
+class FieldDimensionsDialog(TaskDialog):
     """A number a dimension, and what the set says of them; shows nothing but what it is
     reported."""
 
     chosen = Signal()  # other numbers, or lines elsewhere
-    estimateWanted = Signal()
-    stopWanted = Signal()
 
     def __init__(self, parent: QWidget, field: Field) -> None:
-        super().__init__(parent)
-        self.setObjectName("fieldDimensionsDialog")
-        self.setWindowTitle(tr("Field dimensions: {field}", field=tr(field.title)))
+        title = tr("Field dimensions: {field}", field=tr(field.title))
+        super().__init__(parent, "fieldDimensionsDialog", title)
         self._field = field
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
         self.rules: dict[str, QLabel] = {}
         self._broken = ""
         self._refused: set[str] = set()  # numbers out of the rules that nobody has looked at yet
-        self._make_estimate()
+        self.bar.setTextVisible(False)
+        self.estimate_button = QPushButton(tr("Estimate from this set"), autoDefault=False)
+        if not any(d.name in DEFAULT_DIMENSIONS for d in self._dimensions):
+            self.estimate_button.setEnabled(False)
+            self.estimate_button.setToolTip(tr(_FIXED_SIDES))
         self.broken = note_label("dimensions_broken")
         self.broken.setTextFormat(Qt.TextFormat.RichText)
         self.note = note_label("dimensions_note")
@@ -104,13 +104,12 @@ class FieldDimensionsDialog(QDialog):
         self.setMinimumWidth(max(_WIDTH, self.minimumSizeHint().width()))
 
     def _form(self) -> QFormLayout:
-        """A row a dimension, with what the rules say of it, and where the clicks lie."""
         form = QFormLayout()
         for dimension in self._dimensions:
             box = self.boxes[dimension.name] = _box(dimension)
             box.valueChanged.connect(self._changed)
-            box.refused.connect(partial(self._tell_refused, dimension))
-            box.lineEdit().textEdited.connect(partial(self._tell_rule, dimension))
+            box.refused.connect(partial(self._tell_rule, dimension))
+            box.lineEdit().textEdited.connect(lambda _, d=dimension: self._tell_rule(d))
             row = QHBoxLayout()
             row.addWidget(box)
             rule = self.rules[dimension.name] = QLabel()
@@ -135,18 +134,6 @@ class FieldDimensionsDialog(QDialog):
             self.lines_box.setParent(self)
             self.lines_box.hide()
         return form
-
-    def _make_estimate(self) -> None:
-        self.estimate_button = QPushButton(tr("Estimate from this set"))
-        self.estimate_button.setAutoDefault(False)
-        self.estimate_button.clicked.connect(self._estimate)
-        if not any(d.name in DEFAULT_DIMENSIONS for d in self._dimensions):
-            self.estimate_button.setEnabled(False)
-            self.estimate_button.setToolTip(tr(_FIXED_SIDES))
-        self.bar = QProgressBar()
-        self.bar.setTextVisible(False)
-        self.bar.hide()
-        self._running = False
 
     @property
     def values(self) -> dict[str, float]:
@@ -177,36 +164,21 @@ class FieldDimensionsDialog(QDialog):
 
     def set_running(self, running: bool) -> None:
         """While the set is examined the button stops that."""
-        self._running = running
+        super().set_running(running)
         self.estimate_button.setText(tr("Stop") if running else tr("Estimate from this set"))
-        self.bar.setVisible(running)
-        self.bar.setRange(0, 0)
-
-    def advance(self, done: int, total: int) -> None:
-        """Show how far the work is."""
-        self.bar.setRange(0, total)
-        self.bar.setValue(done)
 
     def tell(self, text: str) -> None:
-        """Say what came of it."""
         show_note(self.found, text)
         self.adjustSize()
 
     def _buttons(self) -> QDialogButtonBox:
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        keep = buttons.addButton(
-            tr("Keep for this dataset"), QDialogButtonBox.ButtonRole.AcceptRole
-        )
-        buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
-        keep.setDefault(True)  # or Enter would cancel
+        buttons, _ = dialog_buttons(self, tr("Keep for this dataset"))
         self.nominal_button = buttons.addButton(
             tr("Nominal"), QDialogButtonBox.ButtonRole.ResetRole
         )
         self.nominal_button.setToolTip(tr("The field as official evaluations take it"))
         self.nominal_button.setAutoDefault(False)
         self.nominal_button.clicked.connect(self._set_nominal)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         return buttons
 
     def accept(self) -> None:
@@ -224,31 +196,27 @@ class FieldDimensionsDialog(QDialog):
         self.lines_box.blockSignals(blocked)
         self.set_values({d.name: d.nominal for d in self._dimensions})
 
-    def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
-        d, label = dimension, self.rules[dimension.name]
-        label.setText(
-            tr(
+    def _tell_rule(self, dimension: Dimension, refused: float | None = None) -> None:
+        """Show what the rules allow, and that they do not allow a number."""
+        name, label = dimension.name, self.rules[dimension.name]
+        limits: dict[str, Any] = {"minimum": dimension.minimum, "maximum": dimension.maximum}
+        if refused is None:
+            words = tr(
                 "nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m",
-                nominal=d.nominal,
-                minimum=d.minimum,
-                maximum=d.maximum,
+                nominal=dimension.nominal,
+                **limits,
             )
-        )
-        label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        self._refused.discard(d.name)
-
-    def _tell_refused(self, dimension: Dimension, number: float) -> None:
-        d, label = dimension, self.rules[dimension.name]
-        label.setText(
-            tr(
+            label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            self._refused.discard(name)
+        else:
+            words = tr(
                 "<b>not {number:g} m: the rules allow {minimum:g} to {maximum:g} m</b>",
-                number=number,
-                minimum=d.minimum,
-                maximum=d.maximum,
+                number=refused,
+                **limits,
             )
-        )
-        label.setForegroundRole(QPalette.ColorRole.WindowText)
-        self._refused.add(d.name)
+            label.setForegroundRole(QPalette.ColorRole.WindowText)
+            self._refused.add(name)
+        label.setText(words)
 
     def _changed(self) -> None:
         self._tell_official()
@@ -272,9 +240,6 @@ class FieldDimensionsDialog(QDialog):
             known = tr_count(len(stadiums.dimensions), "{n} stadium", "{n} stadiums")
             notes.append(tr(_STADIUMS, frames=frames, stadiums=known))
         show_note(self.note, "\n".join(notes))
-
-    def _estimate(self) -> None:
-        (self.stopWanted if self._running else self.estimateWanted).emit()
 
 
 def _within(dimension: Dimension) -> str:
@@ -344,18 +309,23 @@ class FieldDimensionsTask(DialogTask):
             self._lines_before = services.state.field.lines
             self.dialog = dialog = FieldDimensionsDialog(self._parent, services.state.field)
             dialog.chosen.connect(self._settled.start)
-            dialog.estimateWanted.connect(self.estimate)
-            dialog.stopWanted.connect(self.stop)
+            dialog.estimate_button.clicked.connect(self._toggle)
             dialog.accepted.connect(self._keep)
             dialog.rejected.connect(self._take_back)
         self.dialog.show()
         self.dialog.activateWindow()
 
+    def _toggle(self) -> None:
+        if self._work.running:
+            self.stop()
+        else:
+            self.estimate()
+
     def estimate(self) -> None:
         """Find the dimensions from all frames without a stadium of their own, in the background."""
         services, dialog = self._services, self.dialog
         workspace = services.state.workspace
-        if dialog is None or workspace is None or self._work.running:
+        if dialog is None or workspace is None:
             return
         revealed = services.state.revealed_frames  # what their cameras say may be known
         meant = {

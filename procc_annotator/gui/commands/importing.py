@@ -25,7 +25,7 @@ from procc_annotator.formats.annotations.label_map import (
     label_map_text,
 )
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.commands.dialogs import DialogTask
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.editing.batch_edits import (
     BatchEdits,
@@ -42,7 +42,7 @@ from procc_annotator.translation import tr, tr_count, translatable
 if TYPE_CHECKING:
     from procc_annotator.assist.label_proposal import LabelProposal
     from procc_annotator.formats.annotations.registry import ReadSet
-    from procc_annotator.gui.commands.files.exchange_dialogs import ImportDialog, LabelDialog
+    from procc_annotator.gui.commands.exchange_dialogs import ImportDialog, LabelDialog
 
 
 _HEAD = ("What the labels of other programs stand for; chosen at an import.",)  # not shown
@@ -82,9 +82,8 @@ class LabelLook:
         self._reopen = services.opening.reopener()
         active = services.state.active
         self._cameras = None if active is None else active.files
-        self._folder = (
-            folder_of_dataset(services.state.workspace.root) if services.state.workspace else None
-        )
+        workspace = services.state.workspace
+        self._folder = None if workspace is None else folder_of_dataset(workspace.root)
 
     def read(self, control: JobControl) -> LookedAt:
         """Read by the dataset's own map, and propose what the labels stand for that it leaves open.
@@ -155,19 +154,17 @@ class AnnotationImporter(DialogTask):
     def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(services, parent)
         self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
-        self._edits.progressed.connect(self._advance)
-        self._edits.finished.connect(self._finish)
 
     def ask(self) -> None:
         """Show the dialog."""
-        from procc_annotator.gui.commands.files.exchange_dialogs import ImportDialog
+        from procc_annotator.gui.commands.exchange_dialogs import ImportDialog
 
         workspace = self._services.state.workspace
         if opened_frame(self._services) is None or workspace is None:
             return
         self._leave()
         self.dialog = dialog = ImportDialog(self._parent, str(workspace.folder))
-        dialog.started.connect(lambda: self.start(Path(dialog.path.text().strip())))
+        dialog.start_button.clicked.connect(lambda: self.start(Path(dialog.path.text().strip())))
         dialog.cancelled.connect(self.cancel)
         dialog.open()
 
@@ -185,7 +182,7 @@ class AnnotationImporter(DialogTask):
 
     def _ask_names(self, looked: LookedAt) -> None:
         """Ask what labels stand for that are no class; where there are none, begin to save."""
-        from procc_annotator.gui.commands.files.exchange_dialogs import LabelDialog
+        from procc_annotator.gui.commands.exchange_dialogs import LabelDialog
 
         if not looked.proposals or self.dialog is None:
             self._take(looked.found)
@@ -226,13 +223,12 @@ class AnnotationImporter(DialogTask):
         super()._leave()
 
     def _take(self, read: ReadSet) -> None:
-        """Begin to save what was read."""
         workspace = self._services.state.workspace
         assert workspace is not None
         self._imported = read
         self._unmatched = [name for name in read.frames if name not in workspace.index]
         indices = [workspace.index[name] for name in read.frames if name in workspace.index]
-        self._edits.start(indices, partial(self._take_one, workspace))
+        self._edits.start(indices, partial(self._take_one, workspace), self._finish, self._advance)
 
     def _take_one(self, workspace: Workspace, index: int) -> str:
         incoming = self._imported.frames[workspace.frames[index].name].annotation
@@ -286,7 +282,6 @@ class AnnotationImporter(DialogTask):
 
 
 def _said(outcome: EditedFrames, format_title: str) -> list[str]:
-    """Return what came of an import, a line each."""
     reasons = Counter(why for _, why in outcome.left)
     annotated, same = reasons[LeftAlone.ANNOTATED], reasons[LeftAlone.SAME]
     imported = tr_count(

@@ -73,9 +73,6 @@ class ShotFollowing(QObject):
         self._work = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
-        self._skipped_frames = (
-            -1
-        )  # the index of the frame on screen, to be looked at once it is left
         services.shot_track.forgotten.connect(self.forget)
         services.store.watch(select.blind, self._hide)
         services.store.events.annotationEdited.connect(self._note_edit)
@@ -118,9 +115,10 @@ class ShotFollowing(QObject):
 
     def stop(self) -> None:
         """Follow no further; the frames that came stay."""
+        track = self._services.shot_track
         if self._work.stop_keep_partial():
             self.changed.emit()
-            self._services.shot_track.keep()
+            track.replace(track.tracked, track.cuts)
             self._services.say(
                 tr("stopped; what was followed so far stays")
                 if self._far[0]
@@ -142,38 +140,27 @@ class ShotFollowing(QObject):
         agreed = agreed or not services.state.annotation.annotated
         if found is not None and agreed and not services.prediction.doubt:
             return found.camera
-        cameras, name, size = (
-            services.state.active_cameras,
-            services.state.frame,
-            services.state.picture_size,
-        )
+        state = services.state
+        cameras, name, size = state.active_cameras, state.frame_name, state.picture_size
         if cameras is None or name is None or size is None:
             return None
         try:
-            loaded = cameras.camera(name.name, size)
+            loaded = cameras.camera(name, size)
         except CameraError:
             return None  # told where it is shown
         camera = loaded.camera if loaded is not None else None
         return camera if isinstance(camera, PinholeCamera | HomographyCamera) else None
 
     def _begin(self, number: int, camera: Camera | None, within: range | None) -> None:
-        services = self._services
-        workspace, sequence = services.state.workspace, services.sequence.value
-        assert workspace is not None
+        services, state = self._services, self._services.state
+        sequence, name = services.sequence.value, state.frame_name
+        assert state.workspace is not None
         assert sequence is not None
+        stadium = None if name is None else stadium_of(state.field, name)
         asked = _Asked(
-            workspace,
-            sequence,
-            services.state.field,
-            stadium_of(services.state.field, services.state.frame.name)
-            if services.state.frame
-            else None,
-            services.live_fit.model,
-            number,
-            camera,
-            within,
-            services.state.corrected,
-        )
+            state.workspace, sequence, state.field, stadium, services.live_fit.model,
+            number, camera, within, state.corrected,
+        )  # fmt: skip
         self._far = (0, 0)
         self._work.start(
             lambda control: _follow(asked, control),
@@ -246,12 +233,11 @@ class ShotFollowing(QObject):
     def _only_accepted(self) -> bool:
         """Return whether all that is annotated here was taken over along the track: that is no
         news."""
-        services, frame = self._services, self._services.state.frame
-        if frame is None or not services.state.annotation.annotated:
+        name, annotation = self._services.state.frame_name, self._services.state.annotation
+        if name is None or not annotation.annotated:
             return False
-        return set(services.review.origin_counts(frame.name, services.state.annotation)) == {
-            OriginKind.ACCEPTED
-        }
+        kinds = self._services.review.origin_counts(name, annotation)
+        return set(kinds) == {OriginKind.ACCEPTED}
 
     def _follow_corrected(self) -> None:
         """Once a person is done with it: what is between its neighbours is followed again."""
@@ -269,7 +255,6 @@ class ShotFollowing(QObject):
 
 
 def _followed(frames: int, doubtful: int) -> str:
-    """Return what came of a shot."""
     if not doubtful:
         return tr_count(
             frames,

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.batch.calibration import fitted_folder, save_fit
@@ -17,7 +17,8 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.commands.dialog_task import DialogTask
+from procc_annotator.gui.commands.dialogs import DialogTask
+from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
@@ -28,7 +29,7 @@ from procc_annotator.report.window_tables import OverviewRow, overview_csv, over
 from procc_annotator.translation import tr, tr_count
 
 if TYPE_CHECKING:
-    from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
+    from procc_annotator.gui.commands.exchange_dialogs import ExportDialog
     from procc_annotator.report.conversion_output import Converted
 
 
@@ -42,13 +43,13 @@ class ExportAs(DialogTask):
 
     def ask(self) -> None:
         """Show the dialog."""
-        from procc_annotator.gui.commands.files.exchange_dialogs import ExportDialog
+        from procc_annotator.gui.commands.exchange_dialogs import ExportDialog
 
         if opened_frame(self._services) is None:
             return
         self._leave()
         self.dialog = dialog = ExportDialog(self._parent)
-        dialog.started.connect(self._ask_path)
+        dialog.start_button.clicked.connect(self._ask_path)
         dialog.cancelled.connect(self.cancel)
         dialog.open()
 
@@ -106,11 +107,9 @@ class ExportAs(DialogTask):
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
-        headline = (
-            _written(done)
-            if done.frames
-            else tr("Nothing was written: no frame is annotated, or none could be written.")
-        )
+        headline = tr("Nothing was written: no frame is annotated, or none could be written.")
+        if done.frames:
+            headline = _written(done)
         self.dialog.set_running(False)
         self.dialog.tell(
             "\n".join(filter(None, (headline, said))),
@@ -139,108 +138,6 @@ class _Saved:
     again: tuple[tuple[CameraSource, CameraSet], ...]
     left_open: str  # what the clicks hardly determine
     problem: str = ""
-
-
-class FitSaving(QObject):
-    """Slot of the action that saves the fit; what came of it is a message."""
-
-    def __init__(self, services: Services) -> None:
-        super().__init__(services)
-        self._services = services
-
-    def save(self) -> None:
-        """Write the fit on screen into the dataset's folder of fits, in the background."""
-        services = self._services
-        frame, workspace = opened_frame(services), services.state.workspace
-        insight = services.live_fit.insight
-        if frame is None or workspace is None:
-            return
-        if insight is None or insight.fit.camera is None:
-            services.say(self._why_none())
-            return
-        if not services.editing.begin_edit():
-            return  # somebody else has the frame, or nobody can edit it: that is said
-        if services.live_fit.insight is not insight:
-            services.say(tr("the fit is worked out again: save it in a moment"))
-            return
-        if services.state.picture_size != insight.fit.size:
-            services.say(
-                tr(
-                    "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
-                    " size; not saved",
-                    frame=frame.name,
-                ),
-                "warning",
-            )
-            return
-        folder = fitted_folder(workspace.folder)
-        loaded = [
-            (source, source.files)
-            for source in services.state.sources
-            if source.files is not None and _same(source.files.path, folder)
-        ]
-        left_open = ill_conditioned_reason(insight.fit)
-        annotation, fit, field = (
-            insight.annotation,
-            insight.fit,
-            services.scorer.frame_setup.field.described,
-        )
-
-        def work(control: JobControl) -> _Saved:
-            path = save_fit(folder, frame.name, annotation, fit, field=field)
-            try:
-                again = tuple(
-                    (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
-                )
-            except (ProccError, OSError) as error:
-                return _Saved(path, frame.name, (), left_open, str(error))
-            return _Saved(path, frame.name, again, left_open)
-
-        # Each is written, however soon the next one is asked for.
-        run_in_background(
-            work,
-            on_result=self._tell,
-            on_error=lambda text: services.say(text, "error"),
-            owner=self,
-            priority=Priority.IMMEDIATE,
-        )
-
-    def _tell(self, saved: _Saved) -> None:
-        services = self._services
-        for source, cameras in saved.again:
-            if source in services.state.sources:
-                services.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
-        if saved.problem:
-            services.say(
-                tr(
-                    "saved as {path}, but the loaded cameras could not be read again: {problem}",
-                    path=saved.path,
-                    problem=saved.problem,
-                ),
-                "warning",
-            )
-            return
-        said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
-        if saved.left_open:
-            services.say(
-                tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
-                "warning",
-            )
-        else:
-            services.say(said)
-
-    def _why_none(self) -> str:
-        live = self._services.live_fit
-        if barred := self._services.blind_lock.no_fit:
-            return barred
-        if not live.wanted:
-            return tr("the live fit is off (Ctrl+T)")
-        if not live.allowed:
-            return tr("blind: the fit is hidden until this frame is committed (Ctrl+Enter)")
-        failure = live.result.failure if live.result is not None else None
-        if failure:
-            return tr("no camera to save: {why}", why=failure)
-        return tr("no camera to save: the fit is not there yet")
 
 
 def _same(some: Path, other: Path) -> bool:
@@ -346,6 +243,88 @@ class Exporter:
             "export_scores",
         )
 
+    def save_fit(self) -> None:
+        """Write the fit on screen into the dataset's folder of fits, in the background."""
+        services = self._services
+        frame, workspace = opened_frame(services), services.state.workspace
+        insight = services.live_fit.insight
+        if frame is None or workspace is None:
+            return
+        if insight is None or insight.fit.camera is None:
+            failure = services.live_fit.result and services.live_fit.result.failure
+            why = tr("no camera to save: the fit is not there yet")
+            if failure:
+                why = tr("no camera to save: {why}", why=failure)
+            services.say(services.live_fit.problem or why)
+            return
+        if not services.editing.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
+        if services.live_fit.insight is not insight:
+            services.say(tr("the fit is worked out again: save it in a moment"))
+            return
+        if services.state.picture_size != insight.fit.size:
+            services.say(
+                tr(
+                    "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
+                    " size; not saved",
+                    frame=frame.name,
+                ),
+                "warning",
+            )
+            return
+        folder = fitted_folder(workspace.folder)
+        loaded = [
+            (source, source.files)
+            for source in services.state.sources
+            if source.files is not None and _same(source.files.path, folder)
+        ]
+        left_open = ill_conditioned_reason(insight.fit)
+        annotation, fit = insight.annotation, insight.fit
+        field = services.scorer.frame_setup.field.described
+
+        def work(control: JobControl) -> _Saved:
+            path = save_fit(folder, frame.name, annotation, fit, field=field)
+            try:
+                again = tuple(
+                    (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
+                )
+            except (ProccError, OSError) as error:
+                return _Saved(path, frame.name, (), left_open, str(error))
+            return _Saved(path, frame.name, again, left_open)
+
+        # Each is written, however soon the next one is asked for.
+        run_in_background(
+            work,
+            on_result=self._tell_saved,
+            on_error=lambda text: services.say(text, "error"),
+            owner=services,
+            priority=Priority.IMMEDIATE,
+        )
+
+    def _tell_saved(self, saved: _Saved) -> None:
+        services = self._services
+        for source, cameras in saved.again:
+            if source in services.state.sources:
+                services.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
+        if saved.problem:
+            services.say(
+                tr(
+                    "saved as {path}, but the loaded cameras could not be read again: {problem}",
+                    path=saved.path,
+                    problem=saved.problem,
+                ),
+                "warning",
+            )
+            return
+        said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
+        if saved.left_open:
+            services.say(
+                tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
+                "warning",
+            )
+        else:
+            services.say(said)
+
     @property
     def _scored(self) -> CameraSet | None:
         """The cameras whose JaC is exported; None for fits, which are made from the very clicks
@@ -354,10 +333,9 @@ class Exporter:
         return active.files if active is not None else None
 
     def _why_none_scored(self) -> str:
-        """Return why no JaC can be exported; empty if it can."""
         active = self._services.state.active
         if active is None:
-            return tr("load cameras first: there is nothing to score")
+            return no_source(self._services.state)
         if self._scored is not None:
             hidden = self._services.state.revealed_frames == frozenset()
             none = tr("blind: no frame is committed yet, so there is no JaC to show")

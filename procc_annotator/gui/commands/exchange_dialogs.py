@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
-    QDialogButtonBox,
     QFileDialog,
     QFormLayout,
     QFrame,
@@ -20,7 +19,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPlainTextEdit,
-    QProgressBar,
     QPushButton,
     QRadioButton,
     QScrollArea,
@@ -33,6 +31,7 @@ from procc_annotator.assist.label_proposal import LabelProposal, order_choices, 
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LABELS_FILE, Rule
 from procc_annotator.formats.annotations.registry import FORMATS, AnnotationFormat
+from procc_annotator.gui.commands.dialogs import CLOSE, TaskDialog, dialog_buttons
 from procc_annotator.gui.panels.widgets import DecimalBox, note_label, show_note
 from procc_annotator.translation import tr, tr_count, word
 
@@ -46,10 +45,6 @@ _SURETIES = {
     "open": word("to be said", "a proposal"),
 }
 _LONGEST = 40  # characters of a label that are shown
-
-
-class _AsItIs:
-    """In the place of a rule: nothing is said of the label."""
 
 
 class LabelDialog(QDialog):
@@ -77,7 +72,7 @@ class LabelDialog(QDialog):
         self.setWindowTitle(tr("Names of another program"))
         self._proposals = proposals
         self.choices: list[QComboBox] = []
-        self._rules: list[list[Rule | _AsItIs]] = []
+        self._rules: list[tuple[Rule, ...]] = []
         asked = QLabel(_asked(len(proposals), field), wordWrap=True)
         self.note = note_label("labelNote")
         words = tr(
@@ -91,15 +86,9 @@ class LabelDialog(QDialog):
                 tr("Add these names to the dataset's {file}, written anew", file=LABELS_FILE)
             )
         self.keep.setChecked(not has_file)
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.take = QPushButton(tr("Import"))
-        self.buttons.addButton(self.take, QDialogButtonBox.ButtonRole.AcceptRole)
-        self.buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
-        self.take.setDefault(True)
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
+        buttons, self.take = dialog_buttons(self, tr("Import"))
         column = QVBoxLayout(self)
-        for part in (asked, self.note, self._table(field), self.keep, self.buttons):
+        for part in (asked, self.note, self._table(field), self.keep, buttons):
             column.addWidget(part, int(isinstance(part, QScrollArea)))
         self.resize(*_SIZE)
         if self.choices:
@@ -108,12 +97,12 @@ class LabelDialog(QDialog):
     @property
     def rules(self) -> dict[str, Rule]:
         """Return what was chosen, by label; labels that stay as they are are missing."""
-        found: dict[str, Rule] = {}
-        for one, box, rules in zip(self._proposals, self.choices, self._rules, strict=True):
-            rule = rules[box.currentIndex()]
-            if not isinstance(rule, _AsItIs):
-                found[one.count.label] = rule
-        return found
+        chosen = zip(self._proposals, self.choices, self._rules, strict=True)
+        return {
+            one.count.label: rules[box.currentIndex() - 1]
+            for one, box, rules in chosen
+            if box.currentIndex() > 0
+        }
 
     def _table(self, field: Field) -> QScrollArea:
         inside = QWidget()
@@ -129,9 +118,13 @@ class LabelDialog(QDialog):
             box = self._choice(one, names, titles, field)
             shown = one.count.label
             shown = shown if len(shown) <= _LONGEST else f"{shown[: _LONGEST - 1]}…"
+            like = ", ".join(tr(field.title_of(name)) for name in one.like)
+            reason = f"{one.why}: {like}" if like else one.why
+            why = _text(reason, reason)
+            why.setWordWrap(True)
             cells = (
                 _text(shown, one.count.label), _text(str(one.count.shapes)), box,
-                _text(tr(_SURETIES[one.surety], "a proposal")), _wrapped(_why(one, field)),
+                _text(tr(_SURETIES[one.surety], "a proposal")), why,
             )  # fmt: skip
             for column, cell in enumerate(cells):
                 grid.addWidget(cell, row, column, Qt.AlignmentFlag.AlignVCenter)
@@ -149,7 +142,7 @@ class LabelDialog(QDialog):
         self, one: LabelProposal, names: list[str], titles: list[str], field: Field
     ) -> QComboBox:
         orders = order_choices(one)
-        rules: list[Rule | _AsItIs] = [_AsItIs(), None, *orders, *names]
+        rules = (None, *orders, *names)  # after the entry that leaves the label as it is
         box = QComboBox()
         box.setAccessibleName(tr("What {label} stands for", label=one.count.label))
         if orders:
@@ -161,7 +154,7 @@ class LabelDialog(QDialog):
         box.setMinimumContentsLength(_LONGEST)
         box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         if one.surety != "open":
-            box.setCurrentIndex(rules.index(one.rule))
+            box.setCurrentIndex(1 + rules.index(one.rule))
         box.setToolTip(box.currentText())
         box.currentTextChanged.connect(box.setToolTip)
         self.choices.append(box)
@@ -169,21 +162,10 @@ class LabelDialog(QDialog):
         return box
 
 
-def _why(one: LabelProposal, field: Field) -> str:
-    like = ", ".join(tr(field.title_of(name)) for name in one.like)
-    return f"{one.why}: {like}" if like else one.why
-
-
 def _text(text: str, tip: str = "") -> QLabel:
     label = QLabel(text)
     label.setTextFormat(Qt.TextFormat.PlainText)
     label.setToolTip(tip)
-    return label
-
-
-def _wrapped(text: str) -> QLabel:
-    label = _text(text, text)
-    label.setWordWrap(True)
     return label
 
 
@@ -202,59 +184,41 @@ _WIDTH = 560
 _WIDEST_LINE = 200.0
 
 
-class _ExchangeDialog(QDialog):
-    """A form, a bar that shows how far the work is, and a report of it."""
+class _ExchangeDialog(TaskDialog):
+    """A form, the progress of the work, and a report of it."""
 
-    started = Signal()
     cancelled = Signal()
 
-    def __init__(self, parent: QWidget, title: str, verb: str) -> None:
-        super().__init__(parent)
-        self.setWindowTitle(title)
+    def __init__(self, parent: QWidget, name: str, title: str, verb: str) -> None:
+        super().__init__(parent, name, title)
         self.setMinimumWidth(_WIDTH)
-        self.form = QFormLayout()
+        self._options = QWidget()
+        self.form = QFormLayout(self._options)
+        self.form.setContentsMargins(0, 0, 0, 0)
         self.form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self.bar = QProgressBar()
-        self.bar.hide()
         self.report = QPlainTextEdit(readOnly=True)
         self.report.setAccessibleName(tr("What came of it"))
         self.report.hide()
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.start_button = QPushButton(verb)
-        self.start_button.setDefault(True)
-        self.start_button.clicked.connect(self.started)
-        buttons.addButton(self.start_button, QDialogButtonBox.ButtonRole.ActionRole)
-        self.close_button = buttons.button(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
+        buttons, self.start_button = dialog_buttons(self, verb, CLOSE)
+        self.close_button = buttons.button(CLOSE)
         layout = QVBoxLayout(self)
-        layout.addLayout(self.form)
+        layout.addWidget(self._options)
         layout.addWidget(self.bar)
         layout.addWidget(self.report, 1)
         layout.addWidget(buttons)
         self._running = False
 
     def set_running(self, running: bool) -> None:
-        """While the work goes on the form waits and Close is Cancel."""
+        """While the work is running the form is disabled and Close is Cancel."""
+        super().set_running(running)
         self._running = running
-        for row in range(self.form.rowCount()):
-            for role in (QFormLayout.ItemRole.FieldRole, QFormLayout.ItemRole.SpanningRole):
-                item = self.form.itemAt(row, role)
-                widget = item.widget() if item is not None else None
-                if widget is not None:
-                    widget.setEnabled(not running)
+        self._options.setEnabled(not running)
         self.start_button.setEnabled(not running)
         self.close_button.setText(tr("Cancel") if running else tr("Close"))
-        self.bar.setVisible(running)
-        self.bar.setRange(0, 0)
 
-    def advance(self, done: int, total: int) -> None:
-        """Show how far the work is."""
-        self.bar.setRange(0, total)
-        self.bar.setValue(done)
-
-    def tell(self, headline: str, *groups: tuple[str, list[str]]) -> None:
-        """Say what came of it: a headline, then titled lists; empty ones are left out."""
-        lines = [headline]
+    def tell(self, text: str, *groups: tuple[str, list[str]]) -> None:
+        """Show the outcome: a headline, then titled lists; empty ones are left out."""
+        lines = [text]
         for title, entries in groups:
             if entries:
                 lines += ["", f"{title}:", *(f"•  {entry}" for entry in entries)]
@@ -284,8 +248,7 @@ class ImportDialog(_ExchangeDialog):
     """Which annotations, and what becomes of those that are there."""
 
     def __init__(self, parent: QWidget, folder: str) -> None:
-        super().__init__(parent, tr("Import annotations"), tr("Import"))
-        self.setObjectName("importDialog")
+        super().__init__(parent, "importDialog", tr("Import annotations"), tr("Import"))
         self._folder = folder
         self.path = QLineEdit(placeholderText=tr("A folder, a zip archive, or one file"))
         self.path.setAccessibleName(tr("Annotations to import"))
@@ -305,31 +268,20 @@ class ImportDialog(_ExchangeDialog):
                 " back"
             )
         )
-        choice = QWidget()
-        lines = QVBoxLayout(choice)
-        lines.setContentsMargins(0, 0, 0, 0)
-        lines.addWidget(self.only_empty)
-        lines.addWidget(self.replace)
-        self.form.addRow(tr("Annotations"), self._path_row())
-        self.form.addRow(tr("Format"), self.formats)
-        self.form.addRow(tr("Import into"), choice)
-        note = QLabel(tr("Frames are matched by the name of their picture."))
-        self.form.addRow("", note)
-
-    def _path_row(self) -> QWidget:
-        row = QWidget()
-        layout = QHBoxLayout(row)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.path, 1)
+        row = QHBoxLayout()
+        row.addWidget(self.path, 1)
         for text, choose in (
             (tr("File…"), self._choose_file),
             (tr("Folder…"), self._choose_folder),
         ):
-            button = QPushButton(text)
-            button.setAutoDefault(False)
+            button = QPushButton(text, autoDefault=False)
             button.clicked.connect(choose)
-            layout.addWidget(button)
-        return row
+            row.addWidget(button)
+        self.form.addRow(tr("Annotations"), row)
+        self.form.addRow(tr("Format"), self.formats)
+        self.form.addRow(tr("Import into"), self.only_empty)
+        self.form.addRow("", self.replace)
+        self.form.addRow("", QLabel(tr("Frames are matched by the name of their picture.")))
 
     def _choose_file(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
@@ -349,8 +301,7 @@ class ExportDialog(_ExchangeDialog):
     """Which format, and what of it is lost there."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent, tr("Export as"), tr("Export…"))
-        self.setObjectName("exportDialog")
+        super().__init__(parent, "exportDialog", tr("Export as"), tr("Export…"))
         self.formats = QComboBox()
         for known in FORMATS:
             self.formats.addItem(known.title, known.name)

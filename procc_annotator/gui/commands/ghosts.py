@@ -10,9 +10,10 @@ from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.view import ViewPlace
-from procc_annotator.gui.commands.elements.ghost_accepting import GhostAccepting
+from procc_annotator.gui.commands.ghost_accepting import GhostAccepting
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.overlay_predictions import ghost_extent, nearest_ghost
@@ -38,7 +39,7 @@ class GhostCommands(QObject):
         self, services: Services, canvas: Canvas, settings: Settings, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._services = services
+        self._services, self._say = services, services.say
         self._ghosts = services.ghosts
         self._canvas = canvas
         self.accepting = GhostAccepting(services, canvas, settings, self)
@@ -72,10 +73,9 @@ class GhostCommands(QObject):
         self._canvas.focusNextPrevChild(True)
 
     def _why_none(self) -> str:
-        """Return why there is no ghost to go to or to accept; empty if there is one."""
         foresight, insight = self._services.prediction, self._ghosts.insight
-        if self._services.state.frame is None:
-            return tr("open a folder of pictures first")
+        if why := no_frame(self._services.state):
+            return why
         if off := self._why_off():
             return off
         if insight is None:
@@ -106,13 +106,9 @@ class GhostCommands(QObject):
 
     def _why_off(self) -> str:
         """Return why no ghosts are shown, whatever the clicks say; empty if they are."""
-        live_fit = self._services.live_fit
-        if barred := self._services.blind_lock.no_fit:
-            return tr("no ghosts: {why}", why=barred)
-        if not live_fit.allowed:
-            return tr("no ghosts in blind mode, until the frame is committed (Ctrl+Enter)")
-        if not self._services.prediction.wanted:
-            return tr("no ghosts: the live fit is off (Ctrl+T)")
+        prediction = self._services.prediction
+        if not (prediction.allowed and prediction.wanted):
+            return tr("no ghosts: {why}", why=self._services.live_fit.problem)
         if not self._ghosts.wanted:
             return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")
         if self._canvas.drawing.hidden:
@@ -126,10 +122,6 @@ class GhostCommands(QObject):
             return None
         reach = tones.PICK_RADIUS_PX / canvas.view_scale
         return nearest_ghost(self._ghosts.known, at, reach)
-
-    def look_at(self, name: str) -> None:
-        """Go to the ghost of a class."""
-        self._ghosts.go_to(name)
 
     def accept_named(self, name: str) -> None:
         """Accept the ghost of a class without going there."""
@@ -149,11 +141,8 @@ class GhostCommands(QObject):
     def _show(self, ghost: Ghost) -> None:
         services = self._services
         if self._before is None:
-            self._before = _Before(
-                self._canvas.place,
-                services.state.selected_class,
-                services.state.frame,
-            )
+            state = services.state
+            self._before = _Before(self._canvas.place, state.selected_class, state.frame)
         self._shown = ghost.name
         self._choose(ghost.name)
         self._canvas.show_area(*ghost_extent(ghost))
@@ -171,7 +160,6 @@ class GhostCommands(QObject):
             self._choose(self._chosen_before(before))
 
     def _chosen_before(self, before: _Before | None) -> str | None:
-        """The element that was chosen before the walk."""
         if before is None or before.frame != self._services.state.frame:
             return None
         return before.selected
@@ -227,11 +215,8 @@ class GhostCommands(QObject):
         if name != "Enter":
             return False
         if shift and services.state.frame is not None:
-            selected, waiting = (
-                services.state.selected_class,
-                services.state.annotation.unconfirmed,
-            )
-            if any(polyline.class_name == selected for polyline in waiting):
+            waiting = services.state.annotation.unconfirmed
+            if any(polyline.class_name == services.state.selected_class for polyline in waiting):
                 return False  # it confirms that element
             if ghosts.painted or not waiting:
                 self.accept_all()  # says why there are none
@@ -325,12 +310,8 @@ class GhostCommands(QObject):
     def _title(self, name: str) -> str:
         return tr(self._services.state.field.title_of(name))
 
-    def _say(self, text: str) -> None:
-        self._services.say(text)
-
 
 def _passed_end(left: int, *, last: bool) -> str:
-    """Return what is said at the end of a walk, forward or back."""
     if last:
         return tr_count(
             left,

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
+from procc_annotator.gui.commands.dialogs import dialog_buttons
 from procc_annotator.gui.panels.widgets import DecimalBox
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, write
@@ -70,13 +71,8 @@ class OverlayDialog(QDialog):
         form.addRow(tr("&Scale"), self.scale)
         form.addRow(tr("Result"), self.result_size)
         form.addRow(tr("&Legend"), self.legend)
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
-        )
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
+        buttons, self._save = dialog_buttons(self, QDialogButtonBox.StandardButton.Save)
         form.addRow(buttons)
-        self._save = buttons.button(QDialogButtonBox.StandardButton.Save)
         self.scale.valueChanged.connect(self._show_size)
         self.kind.currentIndexChanged.connect(self._show_size)
         self._show_size()
@@ -101,7 +97,7 @@ class OverlayDialog(QDialog):
 
 
 class OverlaySaving:
-    """What is on screen as a file; in blind mode without the projection, as on screen."""
+    """Saves what is on screen; in blind mode without the projection, as on screen."""
 
     def __init__(self, services: Services, parent: QWidget) -> None:
         self._services = services

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QObject
@@ -45,7 +44,6 @@ _AS_THEY_WERE = word(
 
 
 def _with_unconfirmed(words: str, count: int) -> str:
-    """Return what came of it, and how many points show no paint."""
     if not count:
         return words
     unconfirmed = tr_count(
@@ -54,11 +52,7 @@ def _with_unconfirmed(words: str, count: int) -> str:
     return f"{words}; {unconfirmed}"
 
 
-@dataclass(frozen=True)
-class _Outcome:
-    """The elements before and after the edit."""
-
-    pairs: tuple[tuple[Polyline, Regularised], ...]
+_Regularised = tuple[tuple[Polyline, Regularised], ...]  # elements before and after the edit
 
 
 class Assistant(QObject):
@@ -124,7 +118,7 @@ class Assistant(QObject):
         curved = {e.name for e in field.elements if e.is_curved}
         paint = ExpectedLines(field, size[0])
 
-        def work(control: JobControl) -> _Outcome:
+        def work(control: JobControl) -> _Regularised:
             def regular(p: Polyline) -> Regularised:
                 sought = paint.of(p.class_name)
                 return regularise(
@@ -135,20 +129,19 @@ class Assistant(QObject):
                     bar=sought.looks.kind == BAR,
                 )
 
-            pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
-            return _Outcome(tuple(pairs))
+            return tuple((p, regular(p)) for p in polylines if not control.cancelled)
 
         self._doing = _REGULARISING
         self._work.start(work, self._apply_regularised)
 
-    def _apply_regularised(self, outcome: _Outcome) -> None:
+    def _apply_regularised(self, outcome: _Regularised) -> None:
         services = self._services
         if not services.editing.begin_edit():
             return
         annotation = services.state.annotation
         done: list[Polyline] = []
         unseen: set[PointKey] = set()
-        for before, after in outcome.pairs:
+        for before, after in outcome:
             # What was edited meanwhile is newer than this outcome.
             name = before.class_name
             now = annotation.get(name) or annotation.get_unconfirmed(name)
@@ -236,14 +229,10 @@ class Assistant(QObject):
         proposed = editing.add_unconfirmed(services.state.annotation, outcome.polylines)
         label = translatable("copy from {frame}", frame=source)
         if services.editing.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
-            if (
-                outcome.polylines
-                and services.state.annotation.get_unconfirmed(services.state.selected_class or "")
-                is None
-            ):
-                services.selection.select_class(
-                    outcome.polylines[0].class_name
-                )  # Enter confirms it
+            selected = services.state.selected_class or ""
+            unconfirmed = services.state.annotation.get_unconfirmed(selected)
+            if outcome.polylines and unconfirmed is None:  # Enter confirms it
+                services.selection.select_class(outcome.polylines[0].class_name)
             what = tr_count(len(outcome.polylines), "{n} element", "{n} elements")
             how = _ALONG_TRACK if along_track else _MOVED if outcome.moved else _AS_THEY_WERE
             words = tr(how, what=what, frame=source)

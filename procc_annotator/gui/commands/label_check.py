@@ -137,7 +137,6 @@ class LabelCheckCommands(QObject):
         self._services.say("; ".join(filter(None, (said, remedy))))
 
     def _named(self, elements: tuple[str, ...]) -> str:
-        """One or two elements by name, more by their number."""
         if len(elements) > _MOST_NAMED:
             return tr_count(len(elements), "{n} element", "{n} elements")
         titles = [self._title(name) for name in elements]
@@ -161,7 +160,7 @@ class LabelCheckCommands(QObject):
 
     def look(self, found: StoredFinding) -> None:
         """Bring a finding of the frame on screen into sight."""
-        self._check.set_current(self._frame_name(), found)
+        self._check.set_current(self._services.state.frame_name or "", found)
         self._show(found)
 
     def _show(self, found: StoredFinding) -> None:
@@ -229,7 +228,7 @@ class LabelCheckCommands(QObject):
 
         if not services.editing.edit(done, mend):
             return
-        self._passed_in = self._frame_name()
+        self._passed_in = self._services.state.frame_name or ""
         self._passed.add(found.key)
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         services.selection.select_point(None)
@@ -237,7 +236,6 @@ class LabelCheckCommands(QObject):
         services.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
     def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
-        """Return what a remedy has done, in words."""
 
         def title(name: str) -> TranslatableText:
             return translatable(self._services.state.field.title_of(name))
@@ -266,12 +264,12 @@ class LabelCheckCommands(QObject):
         if found is None:
             self._services.say(tr("go to a finding first (F10)"))
             return
-        self.ignore(self._frame_name(), found)
+        self.ignore(self._services.state.frame_name or "", found)
 
     def ignore(self, frame: str, found: StoredFinding) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
-        self._check.ignored.add(frame, found.key)
+        self._check.known.ignore(frame, found.key)
         titles = ", ".join(map(self._title, found.finding.elements))
         self._services.say(
             tr("ignored until {elements} changes; the Check panel brings it back", elements=titles)
@@ -279,8 +277,8 @@ class LabelCheckCommands(QObject):
 
     def restore(self) -> None:
         """Show the ignored findings of the frame on screen again."""
-        if name := self._frame_name():
-            self._check.ignored.restore(name)
+        if name := self._services.state.frame_name:
+            self._check.known.restore(name)
 
     # --- the set --------------------------------------------------------------------------
 
@@ -348,10 +346,6 @@ class LabelCheckCommands(QObject):
         )
 
     # --- inside ---------------------------------------------------------------------------
-
-    def _frame_name(self) -> str:
-        frame = self._services.state.frame
-        return frame.name if frame is not None else ""
 
     def _title(self, class_name: str) -> str:
         return tr(self._services.state.field.title_of(class_name))

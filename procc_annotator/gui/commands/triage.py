@@ -14,6 +14,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, place_by_name
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.scores import VerdictRow
+from procc_annotator.gui.state.availability import hidden, no_frame, no_source
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.writing import ask_where, opened_frame, write
@@ -30,40 +31,8 @@ _UNLOCKS_OWN = word(
 )
 
 
-class BlindLocking:
-    """Slot of the action that locks and unlocks."""
-
-    def __init__(self, services: Services, parent: QWidget) -> None:
-        self._services = services
-        self._parent = parent
-
-    def set_locked(self, locked: bool) -> None:
-        """Lock the dataset for everybody; unlock it once a person said so knowingly."""
-        lock = self._services.blind_lock
-        if locked or lock.lock is None or self._confirmed(lock.reason):
-            lock.set_locked(locked)
-        lock.refused.emit()  # the action shows the present state
-
-    def _confirmed(self, reason: str) -> bool:
-        shared = not self._services.review.reach
-        words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
-        box = QMessageBox(self._parent)
-        box.setObjectName("unlockBlind")
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setWindowTitle(tr("Unlock blind mode"))
-        box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(tr(words, author=self._services.state.author))
-        unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
-        keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(keep)
-        box.exec()
-        chosen = box.clickedButton() is unlock
-        box.deleteLater()
-        return chosen
-
-
 class Triage(QObject):
-    """Slots of the actions that mark a frame and export the verdicts."""
+    """Slots of the actions that mark a frame, export the verdicts and lock the dataset."""
 
     def __init__(self, services: Services, parent: QWidget) -> None:
         super().__init__(parent)
@@ -84,7 +53,7 @@ class Triage(QObject):
         services = self._services
         source, frame = services.state.active, services.state.frame
         if frame is None or source is None:
-            services.say(tr("a verdict is on a frame and a camera: load cameras first"))
+            services.say(no_frame(services.state) or no_source(services.state))
             return
         if source.files is None:
             follows = source is services.fit_source.source
@@ -101,22 +70,20 @@ class Triage(QObject):
                 )
             )
             return
-        if not services.state.projection_visible:
-            services.say(
-                tr("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
-            )
+        if why := hidden(services.state):
+            services.say(why)
             return
         chosen = FaultParty(fault)
-        before = services.verdicts.verdict(frame.name, source)
+        before = services.review.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
-            services.verdicts.set_verdict(frame.name, source, None)
+            services.review.set_verdict(frame.name, source, None)
             is_undone = tr(
                 "{frame}: no verdict on {source} any more", frame=frame.name, source=source.name
             )
             services.say(is_undone)
             return
         comment = before.comment if before is not None else ""
-        services.verdicts.set_verdict(frame.name, source, chosen, comment)
+        services.review.set_verdict(frame.name, source, chosen, comment)
         services.say(f"{frame.name}: {tr(FAULT_WORDS[chosen], 'a verdict')}, {source.name}")
 
     def ask_note(self) -> None:
@@ -125,7 +92,7 @@ class Triage(QObject):
         source, frame = services.state.active, services.state.frame
         verdict = None
         if frame is not None and source is not None and services.state.projection_visible:
-            verdict = services.verdicts.verdict(frame.name, source)
+            verdict = services.review.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
             services.say(tr("mark the frame first: camera fault, annotation fault or fine"))
             return
@@ -133,7 +100,7 @@ class Triage(QObject):
             self._window, tr("Note on the verdict"), tr("What is wrong here:"), text=verdict.comment
         )
         if given:
-            services.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
+            services.review.set_verdict(frame.name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 
@@ -183,6 +150,34 @@ class Triage(QObject):
             again="export_verdicts",
         )
 
+    # --- blind mode -----------------------------------------------------------------------
+
+    def set_locked(self, locked: bool) -> None:
+        """Lock the dataset for everybody; unlock it once a person said so knowingly."""
+        lock = self._services.blind_lock
+        if locked or lock.lock is None or self._confirmed(lock.reason):
+            lock.set_locked(locked)
+        lock.refused.emit()  # the action shows the present state
+
+    def _confirmed(self, reason: str) -> bool:
+        shared = not self._services.review.reach
+        words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
+        box = QMessageBox(self._window)
+        box.setObjectName("unlockBlind")
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setWindowTitle(tr("Unlock blind mode"))
+        box.setText(f"{reason[0].upper()}{reason[1:]}.")
+        box.setInformativeText(tr(words, author=self._services.state.author))
+        unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
+        keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(keep)
+        box.exec()
+        chosen = box.clickedButton() is unlock
+        box.deleteLater()
+        return chosen
+
+    # --- inside ---------------------------------------------------------------------------
+
     def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:
         """As the frames lie in the set; those of frames that are gone behind."""
         workspace = self._services.state.workspace
@@ -195,7 +190,7 @@ class Triage(QObject):
         sets: dict[str, CameraSet] = {}
         for source in services.state.sources:
             if (files := source.files) is not None:
-                sets[services.verdicts.place(source)] = sets[place_by_name(source.name)] = files
+                sets[services.review.place(source)] = sets[place_by_name(source.name)] = files
         setup, tau, reopen = services.state.setup, services.state.tau, services.opening.reopener()
 
         def work(control: JobControl) -> int:

@@ -15,8 +15,8 @@ from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority
-from procc_annotator.gui.state.messages import Level
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import Level
 from procc_annotator.translation import (
     TranslatableText,
     tr,
@@ -29,10 +29,6 @@ from procc_annotator.translation import (
 _MOST_WAIT_S = 1.0
 
 AllPoints = tuple[GhostPoints, ...]
-
-
-def _nothing() -> None:
-    """Nothing comes after it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +56,7 @@ class GhostAccepting(QObject):
         self, services: Services, window: QWidget, settings: Settings, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._services = services
+        self._services, self._say = services, services.say
         self._window = window
         self._settings = settings
         self._looking = LatestOnlyTask(
@@ -118,7 +114,7 @@ class GhostAccepting(QObject):
             title = self._title(ghost.name)
             self._say(tr("{element} is accepted once its points are found", element=title))
 
-    def accept_all(self, then: Callable[[], None] = _nothing) -> None:
+    def accept_all(self, then: Callable[[], None] = lambda: None) -> None:
         """Make all ghosts elements whose lines are seen well enough.
 
         Args:
@@ -189,11 +185,9 @@ class GhostAccepting(QObject):
         )
 
     def _say_with_unsure(self, words: str, found: AllPoints, more: str = "") -> None:
-        """Say it with the ends that the picture does not show."""
         self._say("; ".join(filter(None, (words, self._unsure(found), more))))
 
     def _unsure(self, found: AllPoints) -> str:
-        """Return what is said of ends that the picture does not show."""
         ends = sum(f.unsure_ends for f in found)
         if not ends:
             return ""
@@ -223,10 +217,8 @@ class GhostAccepting(QObject):
         self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText
     ) -> bool:
         services = self._services
-        if (
-            not services.editing.begin_edit()
-            or services.state.annotation is not made_for.annotation
-        ):
+        editable = services.editing.begin_edit()
+        if not editable or services.state.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
         label = translatable("accept {what}", what=what)
@@ -244,18 +236,15 @@ class GhostAccepting(QObject):
         ghosts: tuple[Ghost, ...],
         *,
         everything: bool,
-        then: Callable[[], None] = _nothing,
+        then: Callable[[], None] = lambda: None,
     ) -> bool:
         """Have the points of ghosts found in the background; most are known already."""
         services, field = self._services, self._services.state.sized_field
         made_for = services.ghosts.insight
         if not ghosts or made_for is None or not services.editing.begin_edit():
             return False  # somebody else has the frame, or nobody can edit it: that is said
-        picture, size, frame = (
-            services.navigator.picture,
-            services.state.picture_size,
-            services.state.frame,
-        )
+        picture, state = services.navigator.picture, services.state
+        size, frame = state.picture_size, state.frame
         if picture is None or size is None or frame is None:
             self._say(tr("no ghost was accepted: there is no picture to look for their lines in"))
             return False
@@ -342,6 +331,3 @@ class GhostAccepting(QObject):
 
     def _said_title(self, name: str) -> TranslatableText:
         return translatable(self._services.state.field.title_of(name))
-
-    def _say(self, text: str) -> None:
-        self._services.say(text)
