@@ -10,6 +10,7 @@ from procc_annotator.dataset import saving
 from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.messages import say
 from tests.gui.conftest import heard
 
 MIDDLE = "Middle line"
