@@ -167,8 +167,7 @@ class TestBlink:
         self.release(audited)
         assert not plate.isVisible()
         assert services.state.active.name == "true"
-        all_done(qtbot)
-        assert np.array_equal(pixels(audited), at_first)
+        qtbot.waitUntil(lambda: np.array_equal(pixels(audited), at_first))
 
     def test_a_tap_changes_their_places(self, audited):
         services = audited.services
@@ -495,12 +494,13 @@ class TestDisagreementOfSources:
 
 class TestDisagreement:
     @pytest.fixture
-    def plain(self, audited) -> np.ndarray:
+    def plain(self, audited, qtbot) -> np.ndarray:
         """The canvas without it; of a fixture, for pytest keeps what a test's object holds."""
         for source in audited.services.state.sources:
             audited.services.camera_sources.set_source_visible(source, False)
         audited.services.camera_sources.compare_with(named(audited.services, "bad"))
         audited.panels.show("cameras")
+        all_done(qtbot)
         return pixels(audited)
 
     @pytest.fixture(autouse=True)
@@ -548,12 +548,12 @@ class TestDisagreement:
         assert covered.pixelColor(seen) != bare.pixelColor(seen)
         assert covered.pixelColor(unseen) == bare.pixelColor(unseen)
 
-    def test_off_again_nothing_is_left(self, audited, plain):
+    def test_off_again_nothing_is_left(self, audited, plain, qtbot):
         assert audited.canvas.maps.legend.isVisible()
         assert audited.canvas.maps.legend.title == "true ↔ bad"
         audited.actions_["disagreement"].trigger()
         assert not audited.canvas.maps.legend.isVisible()
-        assert np.array_equal(pixels(audited), plain)
+        qtbot.waitUntil(lambda: np.array_equal(pixels(audited), plain))
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited, qtbot):

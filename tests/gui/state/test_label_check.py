@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
@@ -105,7 +104,6 @@ def put(services: Services, *findings: Finding) -> None:
     size, frame = services.state.picture_size, services.state.frame
     fit = FitResult("R", size, None)
     services.label_check._take(frame.name, store_check(services.state.annotation, findings, fit))
-    QApplication.processEvents()  # what is drawn together waits for the end of the turn
 
 
 LOOK = Remedy(RemedyKind.LOOK, "look at it")
@@ -471,7 +469,9 @@ def panel(services, commands, show) -> FindingsPanel:
 
 def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
     put(window.services, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
-    labels = {x.sign: x for x in window.canvas.overlay_item.overlay.labels if x.sign}
+    item = window.canvas.overlay_item
+    qtbot.waitUntil(lambda: any(len(x.texts) for x in item.overlay.labels if x.sign))
+    labels = {x.sign: x for x in item.overlay.labels if x.sign}
     assert labels["error"].texts == ("Left penalty front",)
     assert labels["hint"].texts == ("",)
     window.panels.show("elements")
@@ -486,18 +486,19 @@ def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
     assert window.finding_tips.tip_at(at + QPointF(0, 300)) == ""
     put(window.services)
     qtbot.waitUntil(lambda: items[FRONT].icon(CHECK).isNull())
-    assert not any(len(x.texts) for x in window.canvas.overlay_item.overlay.labels if x.sign)
+    qtbot.waitUntil(lambda: not any(len(x.texts) for x in item.overlay.labels if x.sign))
 
 
-def test_a_bad_point_is_removed_with_one_key(window):
+def test_a_bad_point_is_removed_with_one_key(window, qtbot):
     services = window.services
     before = services.state.annotation.get(FRONT)
     remedy = Remedy(RemedyKind.REMOVE_POINT, "remove point 2")
     put(window.services, Finding(Rule.POINT, Severity.WARNING, (FRONT,), "off", (remedy,), 1, 15.0))
-    ring = window.canvas.overlay_item.overlay.marks[-1]
     width, height = services.state.picture_size or (0, 0)
     point = before.points[1]
-    np.testing.assert_allclose(ring.centres, [[point.u * (width - 1), point.v * (height - 1)]])
+    at = [[point.u * (width - 1), point.v * (height - 1)]]
+    item = window.canvas.overlay_item
+    qtbot.waitUntil(lambda: np.array_equal(item.overlay.marks[-1].centres, at))
     QTest.keyClick(window.canvas, Qt.Key.Key_F12)
     after = services.state.annotation.get(FRONT)
     assert after.points == (*before.points[:1], *before.points[2:])
