@@ -47,7 +47,7 @@ def test_the_wheel_is_what_runs(installed):
 
 def test_the_wheel_brings_the_guide_and_its_icons(installed):
     code = (
-        "from procc_annotator.gui.window.guide import guide_folder;"
+        "from procc_annotator.gui.window.commands import guide_folder;"
         "from procc_annotator.resources import resources_dir;"
         "print(guide_folder()); print(resources_dir() / 'icons' / 'undo.svg')"
     )

@@ -116,8 +116,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Write who is at fault in which frame, with JaC and largest error, as CSV"),
     _spec("File", "export_findings", "Export findings…", "", "label_check.ask_export",
           "Write what the label check found in the frames checked so far, as CSV"),
-    _spec("File", "author", "-Your name…", "", "commands.ask_author",
-          "The name your points, comments and versions bear"),
+    _spec("File", "author", "-Your name…", "", "commands.show_settings",
+          "The name your points, comments and versions bear", args=("author",)),
     _spec("File", "quit", "-Quit", "Ctrl+Q", "close",
           "Close the window; everything is saved"),
     _spec("Edit", "undo", "Undo", "Ctrl+Z", "canvas.undo",
@@ -376,7 +376,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "The field map has the side below that the camera stands on, and what the camera does not"
           " see is faint; the half that is out of sight leaves its room to the other one",
           checkable=True, remembered=True, checked=True),
-    _spec("View", "strip", "Strip of frames", "", "strip_visibility.set_wanted",
+    _spec("View", "strip", "Strip of frames", "", "strip.set_wanted",
           "Below the picture: of a video, or of frames that follow one another, how their cameras"
           " do and where they are annotated; of other frames small pictures with their states",
           checkable=True, remembered=True, checked=True),

@@ -107,14 +107,14 @@ def main(
 
 
 class _FirstPaint(QObject):
-    """Calls a person once a window was painted for the first time."""
+    """Calls back once a window was painted for the first time."""
 
     def __init__(self, then: Callable[[], object], window: QWidget) -> None:
         super().__init__(window)
         self._then = then
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Paint:  # what lies in it is painted along with it
+        if event.type() == QEvent.Type.Paint:  # its children are painted with it
             watched.removeEventFilter(self)
             QTimer.singleShot(0, self._then)
         return False

@@ -38,17 +38,6 @@ class _Read:
     problem: str = ""
 
 
-class _ProblemBar(Bar):
-    """Shows the error in the file until it is fixed."""
-
-    def __init__(self) -> None:
-        super().__init__("problemBar")
-
-    def tell(self, text: str) -> None:
-        self.label.setText(text)
-        self.setVisible(bool(text))
-
-
 class FieldPreview(QMainWindow):
     """Shows a field by name or from a file; the last good one stays while the file is broken."""
 
@@ -71,7 +60,7 @@ class FieldPreview(QMainWindow):
         self._taken_keys = dict(taken_keys or {})
         self.services = Services(parent=self)
         self.services.live_fit.set_wanted(False)
-        self.problem_bar = _ProblemBar()
+        self.problem_bar = Bar("problemBar")
         self.map = FieldMapPanel(self.services)
         self.elements = ElementsPanel(self.services)
         self.facts = QLabel()
@@ -128,9 +117,9 @@ class FieldPreview(QMainWindow):
         name = Path(self._source).name
         self.setWindowTitle(f"{tr(read.field.title)} – {name}")
         self.facts.setText(_facts(read.field))
-        told = [str(r) for r in read.remarks if r.severity is not WarningSeverity.NOTE]
-        more = len(told) - _MOST_REMARKS
-        shown = told[:_MOST_REMARKS] + ([tr("... and {n} more", n=more)] if more > 0 else [])
+        remarks = [str(r) for r in read.remarks if r.severity is not WarningSeverity.NOTE]
+        more = len(remarks) - _MOST_REMARKS
+        shown = remarks[:_MOST_REMARKS] + ([tr("... and {n} more", n=more)] if more > 0 else [])
         show_note(self.remarks, "\n".join(shown))
 
 

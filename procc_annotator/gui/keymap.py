@@ -1,14 +1,17 @@
-"""Which keys call what: those of the table of actions and of the field, or one's own instead."""
+"""Keys of actions and elements: the defaults, or those that the user chose instead."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
-from PySide6.QtGui import QKeySequence
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QKeySequence
 
 from procc_annotator.errors import UsageError
-from procc_annotator.field.model import Element
+from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.translation import tr, word
 
@@ -92,7 +95,7 @@ class Keymap:
 
 USUAL = Keymap()
 
-# What hands know from elsewhere, or from the other side of the keyboard.
+# Keys as in other programs, or for the left hand.
 PRESETS: Mapping[str, Keymap] = {
     word("Usual"): USUAL,
     word("Left-handed"): Keymap(
@@ -234,3 +237,82 @@ def _key(value: object, place: str) -> str:
                place=place, value=value, one=_LIKE)
         )  # fmt: skip
     return value
+
+
+# Codes of the keys 1 to 9 and 0 from left to right: evdev's plus 8 (X11, Wayland), those of
+# Windows, and macOS's virtual keys.
+_X11 = tuple(range(10, 20))
+
+
+_WINDOWS = tuple(range(2, 12))
+
+
+_MAC = (0x12, 0x13, 0x14, 0x15, 0x17, 0x16, 0x1A, 0x1C, 0x19, 0x1D)
+
+
+_DIGITS = "1234567890"
+
+
+_PLAIN = Qt.KeyboardModifier.NoModifier
+
+
+_SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+def keys_by_place(event: QKeyEvent) -> str:
+    """``7`` or ``Shift+7`` for the key that is the seventh digit's; "" for other keys, and where
+    what it writes is that digit anyway."""
+    held = event.modifiers()
+    if held not in (_PLAIN, _SHIFT):
+        return ""
+    if sys.platform == "darwin":
+        codes, code = _MAC, event.nativeVirtualKey()
+    else:
+        codes = _WINDOWS if sys.platform == "win32" else _X11
+        code = event.nativeScanCode()
+    if code not in codes:
+        return ""
+    digit = _DIGITS[codes.index(code)]
+    if held == _SHIFT:
+        return f"Shift+{digit}"  # not shown
+    return "" if event.text() == digit else digit
+
+
+_Chords = tuple[str, ...]
+
+
+def element_keys(field: Field, keymap: Keymap = USUAL) -> Mapping[str, QKeySequence]:
+    """Class -> the keys that choose it, without elements that share keys with something else.
+
+    A key that begins a sequence of another element's belongs to the one that comes first in the
+    field: Qt would wait forever whether more is to come.
+    """
+    return _keys_of(field.elements, keymap)
+
+
+@lru_cache(maxsize=8)
+def _keys_of(elements: tuple[Element, ...], keymap: Keymap) -> Mapping[str, QKeySequence]:
+    found: dict[str, QKeySequence] = {}
+    given = [key for spec in ACTIONS for key in keymap.of_action(spec)]
+    whole = {chords_of(key) for key in (*given, *HELD_KEYS)}
+    begun = {beginning for chords in whole for beginning in _beginnings(chords)}
+    for element in elements:
+        keys = keymap.of_element(element)
+        chords = chords_of(keys)
+        if not chords or chords in begun or not whole.isdisjoint(_beginnings(chords)):
+            continue
+        whole.add(chords)
+        begun.update(_beginnings(chords))
+        found[element.name] = QKeySequence(keys)
+    return found
+
+
+def key_text(field: Field, class_name: str, keymap: Keymap = USUAL) -> str:
+    """The keys of a class as people write them; "" where there are none."""
+    keys = element_keys(field, keymap).get(class_name)
+    return keys.toString(NATIVE) if keys is not None else ""
+
+
+def _beginnings(chords: _Chords) -> list[_Chords]:
+    """All that a sequence begins with, itself included."""
+    return [chords[: i + 1] for i in range(len(chords))]

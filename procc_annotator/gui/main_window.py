@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.commands.assistant import Assistant
@@ -18,49 +18,53 @@ from procc_annotator.gui.commands.frame_walks import ShotWalk, StatusWalk, Worst
 from procc_annotator.gui.commands.ghosts import GhostCommands
 from procc_annotator.gui.commands.importing import AnnotationImporter
 from procc_annotator.gui.commands.label_check import LabelCheckCommands
-from procc_annotator.gui.commands.opening import OpeningTask, SourceMemory, sample_folder
+from procc_annotator.gui.commands.opening import OpeningTask, SourceMemory
 from procc_annotator.gui.commands.overlay_saving import OverlaySaving
 from procc_annotator.gui.commands.shot_accepting import StretchAccepting
 from procc_annotator.gui.commands.shot_following import ShotFollowing
 from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.commands.versions import Versions
 from procc_annotator.gui.commands.view_grouping import ViewGrouping
-from procc_annotator.gui.element_keys import DigitRow, ElementShortcuts
 from procc_annotator.gui.messages import (
+    Bar,
     BarStack,
     ConflictBar,
-    FrameBar,
     MessageBar,
     ask_to_leave_unsaved,
 )
 from procc_annotator.gui.panels.agreement import AgreementPanel
-from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
+from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
-from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel
+from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
-from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripVisibility
+from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
+from procc_annotator.gui.panels.widgets import vbox
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
-from procc_annotator.gui.window.canvas_menu import FindingTips, canvas_menu
 from procc_annotator.gui.window.command_palette import CommandPalette, PaletteEntries
 from procc_annotator.gui.window.commands import Commands
-from procc_annotator.gui.window.keyboard_focus import FocusRegions, FocusReturn, FocusRing
-from procc_annotator.gui.window.menus import Actions, ActionStates
-from procc_annotator.gui.window.message_routing import ErrorReports, MessageRouter
-from procc_annotator.gui.window.status import StatusLine, StatusReport
+from procc_annotator.gui.window.keyboard_focus import (
+    DigitRow,
+    ElementShortcuts,
+    FocusRegions,
+    FocusReturn,
+    FocusRing,
+)
+from procc_annotator.gui.window.menus import Actions, ActionStates, FindingTips, canvas_menu
+from procc_annotator.gui.window.status import ErrorReports, MessageRouter, StatusLine
 from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 from procc_annotator.gui.window.window_settings import BoundSettings, WindowState, apply_appearance
-from procc_annotator.gui.window.workspaces import PlotsHandle, Workspaces, WorkspaceSwitch
+from procc_annotator.gui.window.workspaces import TITLES, PlotsHandle, Workspaces, WorkspaceSwitch
 from procc_annotator.translation import tr
 
 
@@ -86,10 +90,8 @@ class MainWindow(QMainWindow):
         ActionStates(self.services, self.actions_, self)
         self.panels.turned.connect(lambda name: self.actions_.set_checked(f"desk_{name}", True))
         self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
-        self.drawer.take_keys(self.actions_["plots"])
         self._make_bars()
-        self._add_panel_toggles()
-        self._add_recent()
+        self._add_menus()
         self.palette_ = CommandPalette(
             self,
             PaletteEntries(
@@ -125,7 +127,9 @@ class MainWindow(QMainWindow):
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
-        self.status = StatusLine()
+        self.drawer = PlotsHandle(self.panels, self.actions_["plots"])
+        self._centre.addWidget(self.drawer)
+        self.status = StatusLine(self.services, self.canvas)
         self.setStatusBar(self.status)
 
     def _make_helpers(self) -> None:
@@ -135,7 +139,6 @@ class MainWindow(QMainWindow):
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.services)
         self.digit_row = DigitRow(self)
-        self._report = StatusReport(self.services, self.canvas, self.status, self)
         MessageRouter(
             self.services,
             (self.message_bar, self.frame_bar, self.conflict_bar),
@@ -179,25 +182,20 @@ class MainWindow(QMainWindow):
         self.commands = Commands(services, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
-        self.message_bar, self.frame_bar = MessageBar(), FrameBar()
-        self.conflict_bar = ConflictBar()
+        editing = self.services.editing
+        self.message_bar = MessageBar(lambda name: self.actions_[name].trigger())
+        self.frame_bar = Bar("frameBar")
+        self.conflict_bar = ConflictBar(editing.reload_frame, editing.overwrite_frame)
         self.field_bar = FieldBar()
         self.field_choosing = FieldChoosing(self.services, self.settings, self.field_bar, self)
-        self.welcome = Welcome(with_sample=sample_folder() is not None)
+        self.welcome = Welcome(self.opening, self.settings.get(RECENT))
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
         self.pages.addWidget(self.canvas)
-        centre = QWidget()
-        column = QVBoxLayout(centre)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.pages)
-        self.strip = ShotStrip(self.services)
+        self.strip = ShotStrip(self.services, self.canvas.editor)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.strip_visibility = StripVisibility(self.services, self.canvas.editor, self.strip)
-        column.addWidget(self.strip)
-        self.drawer = PlotsHandle(self.panels)
-        column.addWidget(self.drawer)
+        centre = QWidget()
+        self._centre = vbox(self.pages, self.strip, of=centre, spacing=0, margins=0)
         self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)
@@ -205,32 +203,20 @@ class MainWindow(QMainWindow):
 
     def _make_panels(self) -> None:
         services = self.services
-        self.frames = FramesPanel(services, services.cache)
+        self.frames = FramesPanel(services)
         self.field_map = FieldMapPanel(services)
         self.elements = ElementsPanel(services)
         self.cameras = CamerasPanel(services)
         self.scores = ScoresPanel(services)
         self.fit = FitPanel(services)
         self.plots = PlotsPanel(services)
-        self.findings = FindingsPanel(services)
+        self.findings = FindingsPanel(services, self.label_check)
         self.landmarks = LandmarksPanel(services)
         self.review = ReviewPanel(services)
         self.agreement = AgreementPanel(services)
         self.panels = Workspaces(
             self,
-            {
-                "frames": self.frames,
-                "field_map": self.field_map,
-                "elements": self.elements,
-                "cameras": self.cameras,
-                "scores": self.scores,
-                "fit": self.fit,
-                "findings": self.findings,
-                "landmarks": self.landmarks,
-                "plots": self.plots,
-                "review": self.review,
-                "agreement": self.agreement,
-            },
+            {name: getattr(self, name) for name in TITLES},
             self.canvas,
             {
                 "frames": self.frames.focus_filter,
@@ -240,41 +226,29 @@ class MainWindow(QMainWindow):
         )
         self.docks = self.panels.by_name
 
-    def _add_panel_toggles(self) -> None:
+    def _add_menus(self) -> None:
         menu = self.actions_.menus["View"].addMenu(tr("Panels"))  # not shown
         for dock in self.docks.values():
             menu.addAction(dock.toggleViewAction())
-
-    def _add_recent(self) -> None:
-        menu = RecentMenu(self.settings, self.opening.open_path, self)
+        recent = RecentMenu(self.settings, self.opening.open_path, self)
         before = self.actions_["open_sample"]
-        self.actions_.menus["File"].insertMenu(before, menu)  # not shown
-        self.welcome.show_recent(self.settings.get(RECENT))
-        self.welcome.open_recent.connect(self.opening.open_path)
+        self.actions_.menus["File"].insertMenu(before, recent)  # not shown
 
     def _connect(self) -> None:
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
         services.store.watch(select.frame, self._fit_below_bars)
-        self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
-        self.welcome.open_folder.connect(self.opening.open_folder)
-        self.welcome.open_picture.connect(self.opening.open_picture)
-        self.welcome.open_video.connect(self.opening.open_video)
-        self.welcome.open_sample.connect(self.opening.open_sample)
-        self.opening.secondChosen.connect(self.agreement.open)
+        self.opening.secondChosen.connect(services.second_annotator.open)
         self.services.second_annotator.opened.connect(self._show_second)
-        self.elements.left.connect(self.canvas.setFocus)
-        self.frames.left.connect(self.canvas.setFocus)
-        self.review.left.connect(self.canvas.setFocus)
-        self.landmarks.left.connect(self.canvas.setFocus)
+        for panel in (self.elements, self.frames, self.review, self.landmarks):
+            panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
-        self.side_bar.lookChanged.connect(self.canvas.set_look)
+        self.side_bar.looks.lookChanged.connect(self.canvas.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
-        self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
-        self.worst_first.progressed.connect(self._report.show_comparing)
+        self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
+        self.worst_first.progressed.connect(self.status.show_comparing)
         self.triage.serve(self.scores.verdict)
-        self.label_check.serve(self.findings)
         # Its reason should be in sight.
         self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))
         note_activity = services.review.note_activity

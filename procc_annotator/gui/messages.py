@@ -1,12 +1,16 @@
-"""The bars over the top of the picture, and the questions that are asked."""
+"""Message bars over the picture, questions, and writing a file that the user names."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
+from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
+    QAbstractButton,
+    QFileDialog,
     QHBoxLayout,
     QLabel,
     QMessageBox,
@@ -17,10 +21,74 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.gui.state.availability import no_frame
+from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.messages import Message
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Notice
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
+
+T = TypeVar("T")
+
+
+def opened_frame(services: Services) -> Frame | None:
+    """Return the frame on screen; without one, say what to do."""
+    if why := no_frame(services.state):
+        services.say(why, "warning")
+    return services.state.frame
+
+
+def ask_where(
+    services: Services, parent: QWidget, title: str, name: str, kinds: str
+) -> Path | None:
+    """Ask for a file next to the folder of pictures; None if nowhere.
+
+    Args:
+        services: nothing is asked, and that is said, where no frame is open.
+        parent: the dialog's.
+        title: the dialog's.
+        name: offered for the file.
+        kinds: Qt's filters; a name without a suffix gets that of the kind that was chosen.
+    """
+    if (frame := opened_frame(services)) is None:
+        return None
+    start = frame.image_path.parent.parent / name
+    chosen, kind = QFileDialog.getSaveFileName(parent, title, str(start), kinds)
+    if not chosen:
+        return None
+    path = Path(chosen)
+    suffix = (kinds if ";;" not in kinds else kind).partition("(*.")[2].rstrip(")")
+    return path.with_suffix(f".{suffix}") if suffix and not path.suffix else path
+
+
+def write(
+    services: Services,
+    work: Callable[[JobControl], T],
+    said: Callable[[T], str],
+    *,
+    owner: QObject | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    again: str = "",
+) -> None:
+    """Write in the background, and say what came of it.
+
+    Args:
+        services: says it.
+        work: writes.
+        said: in words, what came of it.
+        owner: nothing is said once it is gone; the services unless given.
+        progress: receives how many of how many are done.
+        again: the action that asks for another place.
+    """
+    run_in_background(
+        work,
+        on_result=lambda result: services.say(said(result)),
+        on_error=lambda text: services.say(text, "error", again),
+        on_progress=progress,
+        owner=services if owner is None else owner,
+    )
 
 
 class Bar(QWidget):
@@ -40,6 +108,18 @@ class Bar(QWidget):
         self.row.addWidget(self.label, 1)
         self.hide()
 
+    def tell(self, text: str) -> None:
+        """Show a text; nothing if it is empty."""
+        if text:
+            self.label.setText(text)
+        self.setVisible(bool(text))
+
+    def add_button(self, button: QAbstractButton, tip: str, do: Callable[[], object]) -> None:
+        """Put a button at the right end."""
+        button.setToolTip(tip)
+        button.clicked.connect(do)
+        self.row.addWidget(button)
+
     def follow_theme(self) -> None:
         """Take the colours of the theme; Qt says nothing to a widget with a style sheet."""
         name = self.objectName()
@@ -58,26 +138,21 @@ class MessageBar(Bar):
     """The last error or warning, until it is dismissed, its cause is gone, or work has gone on: it
     is seen on the frame it came up on and on the next one."""
 
-    remedy_wanted = Signal(str)  # the action that may help
-
-    def __init__(self) -> None:
+    def __init__(self, do: Callable[[str], object]) -> None:
+        """Show nothing yet; ``do`` receives the name of an action that may help."""
         super().__init__("messageBar")
         self._remedy = ""
         self.remedy = QPushButton(tr(_USUAL_REMEDY))
         self.remedy.setObjectName("messageRemedy")
-        self.remedy.clicked.connect(lambda: self.remedy_wanted.emit(self._remedy))
-        self.row.addWidget(self.remedy)
-        close = QToolButton()
+        self.add_button(self.remedy, "", lambda: do(self._remedy))
+        close = QToolButton(autoRaise=True)
         close.setText("✕")
-        close.setAutoRaise(True)
-        close.setToolTip(tr("Dismiss this message"))
         close.setAccessibleName(tr("Dismiss this message"))
-        close.clicked.connect(self.hide)
-        self.row.addWidget(close)
+        self.add_button(close, tr("Dismiss this message"), self.hide)
         self._fresh = False
         self._lines: list[Message | Notice] = []
 
-    def tell(self, message: Message, *, above: Iterable[Notice] = ()) -> None:
+    def show_message(self, message: Message, *, above: Iterable[Notice] = ()) -> None:
         """Show one line, under those that are still so."""
         self._show_lines([*above, message])
         self._offer(message.remedy)
@@ -110,40 +185,17 @@ class MessageBar(Bar):
         self._fresh = False
 
 
-class FrameBar(Bar):
-    """Shows why the frame on screen cannot be edited, as long as that is so."""
-
-    def __init__(self) -> None:
-        super().__init__("frameBar")
-
-    def tell(self, problem: str) -> None:
-        """Show the problem, or nothing."""
-        if problem:
-            self.label.setText(tr("This frame is not editable. {problem}", problem=problem))
-        self.setVisible(bool(problem))
-
-
 class ConflictBar(Bar):
-    """Another person changed the file of the frame on screen: whose work stays?"""
+    """Asks which work stays: another person changed the file of the frame on screen."""
 
-    reload_chosen = Signal()
-    overwrite_chosen = Signal()
-
-    def __init__(self) -> None:
+    def __init__(self, reload: Callable[[], object], overwrite: Callable[[], object]) -> None:
         super().__init__("conflictBar")
         self.reload_button = QPushButton(tr("Reload theirs"))
-        self.reload_button.setToolTip(tr("Show what is in the file; undo brings your version back"))
-        self.reload_button.clicked.connect(self.reload_chosen)
+        tip = tr("Show what is in the file; undo brings your version back")
+        self.add_button(self.reload_button, tip, reload)
         self.overwrite_button = QPushButton(tr("Overwrite with mine"))
-        self.overwrite_button.setToolTip(tr("Write what you see on screen over the file"))
-        self.overwrite_button.clicked.connect(self.overwrite_chosen)
-        self.row.addWidget(self.reload_button)
-        self.row.addWidget(self.overwrite_button)
-
-    def tell(self, problem: str) -> None:
-        """Show the conflict, or nothing."""
-        self.label.setText(problem)
-        self.setVisible(bool(problem))
+        tip = tr("Write what you see on screen over the file")
+        self.add_button(self.overwrite_button, tip, overwrite)
 
 
 class BarStack(QWidget):
@@ -195,41 +247,37 @@ class BarStack(QWidget):
 
 def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:
     """Delete something that undo does not bring back?"""
-    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Delete"))
+    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Keep it"), tr("Delete"))
 
 
 def ask_to_replace(parent: QWidget, what: str, lost: str) -> bool:
     """Write over a file that says something else?"""
     text = tr("{what} is there already, and says something else.", what=what)
-    return _ask(parent, text, lost, tr("Replace it"))
-
-
-def _ask(parent: QWidget, text: str, lost: str, yes: str) -> bool:
-    box = QMessageBox(parent)
-    box.setIcon(QMessageBox.Icon.Question)
-    box.setText(text)
-    box.setInformativeText(lost)
-    keep = box.addButton(tr("Keep it"), QMessageBox.ButtonRole.RejectRole)
-    agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
-    box.setDefaultButton(keep)
-    box.exec()
-    return box.clickedButton() is agree
+    return _ask(parent, text, lost, tr("Keep it"), tr("Replace it"))
 
 
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
     """Close although something could not be written?"""
-    box = QMessageBox(parent)
-    box.setIcon(QMessageBox.Icon.Warning)
-    box.setText(
-        tr_count(
-            len(problems),
-            "{n} frame is not saved, and saving failed again just now.",
-            "{n} frames are not saved, and saving failed again just now.",
-        )
+    text = tr_count(
+        len(problems),
+        "{n} frame is not saved, and saving failed again just now.",
+        "{n} frames are not saved, and saving failed again just now.",
     )
-    box.setInformativeText("\n".join(problems[:5]))
-    stay = box.addButton(tr("Stay"), QMessageBox.ButtonRole.RejectRole)
-    leave = box.addButton(tr("Close and lose them"), QMessageBox.ButtonRole.DestructiveRole)
-    box.setDefaultButton(stay)
+    leave, icon = tr("Close and lose them"), QMessageBox.Icon.Warning
+    return _ask(parent, text, "\n".join(problems[:5]), tr("Stay"), leave, icon)
+
+
+def _ask(
+    parent: QWidget,
+    text: str,
+    lost: str,
+    no: str,
+    yes: str,
+    icon: QMessageBox.Icon = QMessageBox.Icon.Question,
+) -> bool:
+    box = QMessageBox(icon, "", text, parent=parent, informativeText=lost)
+    keep = box.addButton(no, QMessageBox.ButtonRole.RejectRole)
+    agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
+    box.setDefaultButton(keep)
     box.exec()
-    return box.clickedButton() is leave
+    return box.clickedButton() is agree

@@ -94,7 +94,7 @@ class Kind(Generic[T]):
     """Conversion of values from and to the file.
 
     Attributes:
-        read: a value from what is kept; None if it is none of this kind.
+        read: a value from what is kept; None if it is of another kind.
         write: what is kept of a value.
     """
 

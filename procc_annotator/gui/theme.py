@@ -1,13 +1,14 @@
-"""Light and dark theme, following the system; icons, fonts, readable colours."""
+"""Light and dark theme, following the system; icons, fonts, accessible roles of widgets."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 
-from PySide6.QtCore import QByteArray, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QGuiApplication, QPainter, QPalette
+from PySide6.QtCore import QByteArray, QEvent, QObject, QRectF, Qt
+from PySide6.QtGui import QAccessible, QColor, QFont, QGuiApplication, QPainter, QPalette
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
+    QAccessibleWidget,
     QApplication,
     QGraphicsView,
     QLabel,
@@ -18,6 +19,40 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.resources import resources_dir
+
+_WHEN = (QEvent.Type.Show, QEvent.Type.FocusIn)
+
+
+class _Role(QObject):
+    """Reports what a widget is, when it is shown and whenever the keyboard comes to it.
+
+    Qt keeps what is given by an object and its class, and the class becomes another one each time a
+    method of Python is first connected: what was set before that is not read any more.
+    """
+
+    def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
+        super().__init__(widget)
+        self._widget, self._role = widget, role
+        self._made: list[QAccessibleWidget] = []  # Qt deletes them with the widget
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in _WHEN and watched is self._widget:
+            self._register()
+        return False
+
+    def _register(self) -> None:
+        known = QAccessible.queryAccessibleInterface(self._widget)
+        if known is None or known.role() != self._role:
+            made = QAccessibleWidget(self._widget, self._role, "")
+            QAccessible.registerAccessibleInterface(made)
+            self._made.append(made)
+
+
+def give_role(widget: QWidget, role: QAccessible.Role) -> None:
+    """Have a widget exposed as something; its name and description are its own."""
+    _Role(widget, role)
+
 
 _BLACK = b"#000"  # what the files are drawn in
 
@@ -34,47 +69,26 @@ def _drawn(name: str, colour: str) -> QSvgRenderer:
     return QSvgRenderer(QByteArray(drawn.replace(_BLACK, colour.encode())))
 
 
-_LIGHT = {
-    QPalette.ColorRole.Window: "#f3f4f5",
-    QPalette.ColorRole.WindowText: "#1b1d1f",
-    QPalette.ColorRole.Base: "#ffffff",
-    QPalette.ColorRole.AlternateBase: "#f0f2f4",
-    QPalette.ColorRole.Text: "#1b1d1f",
-    QPalette.ColorRole.PlaceholderText: "#5a6168",
-    QPalette.ColorRole.Button: "#e9ebed",
-    QPalette.ColorRole.ButtonText: "#1b1d1f",
-    QPalette.ColorRole.BrightText: "#ffffff",
-    QPalette.ColorRole.ToolTipBase: "#ffffff",
-    QPalette.ColorRole.ToolTipText: "#1b1d1f",
-    QPalette.ColorRole.Highlight: "#0b63a8",
-    QPalette.ColorRole.HighlightedText: "#ffffff",
-    QPalette.ColorRole.Link: "#0b63a8",
-    QPalette.ColorRole.Light: "#ffffff",
-    QPalette.ColorRole.Midlight: "#e3e5e8",
-    QPalette.ColorRole.Mid: "#b9bec4",
-    QPalette.ColorRole.Dark: "#9aa0a6",
-    QPalette.ColorRole.Shadow: "#70757a",
-}
-_DARK = {
-    QPalette.ColorRole.Window: "#24272a",
-    QPalette.ColorRole.WindowText: "#e6e8ea",
-    QPalette.ColorRole.Base: "#1a1c1e",
-    QPalette.ColorRole.AlternateBase: "#212427",
-    QPalette.ColorRole.Text: "#e6e8ea",
-    QPalette.ColorRole.PlaceholderText: "#9da5ad",
-    QPalette.ColorRole.Button: "#33373b",
-    QPalette.ColorRole.ButtonText: "#e6e8ea",
-    QPalette.ColorRole.BrightText: "#ffffff",
-    QPalette.ColorRole.ToolTipBase: "#33373b",
-    QPalette.ColorRole.ToolTipText: "#e6e8ea",
-    QPalette.ColorRole.Highlight: "#2873b2",
-    QPalette.ColorRole.HighlightedText: "#ffffff",
-    QPalette.ColorRole.Link: "#6fb5ec",
-    QPalette.ColorRole.Light: "#4a4f54",
-    QPalette.ColorRole.Midlight: "#3c4145",
-    QPalette.ColorRole.Mid: "#4a5056",
-    QPalette.ColorRole.Dark: "#141618",
-    QPalette.ColorRole.Shadow: "#0a0b0c",
+_COLOURS = {  # light, dark
+    QPalette.ColorRole.Window: ("#f3f4f5", "#24272a"),
+    QPalette.ColorRole.WindowText: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.Base: ("#ffffff", "#1a1c1e"),
+    QPalette.ColorRole.AlternateBase: ("#f0f2f4", "#212427"),
+    QPalette.ColorRole.Text: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.PlaceholderText: ("#5a6168", "#9da5ad"),
+    QPalette.ColorRole.Button: ("#e9ebed", "#33373b"),
+    QPalette.ColorRole.ButtonText: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.BrightText: ("#ffffff", "#ffffff"),
+    QPalette.ColorRole.ToolTipBase: ("#ffffff", "#33373b"),
+    QPalette.ColorRole.ToolTipText: ("#1b1d1f", "#e6e8ea"),
+    QPalette.ColorRole.Highlight: ("#0b63a8", "#2873b2"),
+    QPalette.ColorRole.HighlightedText: ("#ffffff", "#ffffff"),
+    QPalette.ColorRole.Link: ("#0b63a8", "#6fb5ec"),
+    QPalette.ColorRole.Light: ("#ffffff", "#4a4f54"),
+    QPalette.ColorRole.Midlight: ("#e3e5e8", "#3c4145"),
+    QPalette.ColorRole.Mid: ("#b9bec4", "#4a5056"),
+    QPalette.ColorRole.Dark: ("#9aa0a6", "#141618"),
+    QPalette.ColorRole.Shadow: ("#70757a", "#0a0b0c"),
 }
 # The style takes the edges of boxes that are ticked from the window's colour, a little darker: on a
 # dark window no one sees them. These stand in for it, for what draws such boxes.
@@ -95,8 +109,8 @@ _THEME, _USUAL_SIZE = "theme", "usualTextSize"  # properties of the application
 def palette(dark: bool) -> QPalette:
     """The colours of the window, light or dark."""
     result = QPalette()
-    for role, colour in (_DARK if dark else _LIGHT).items():
-        result.setColor(role, QColor(colour))
+    for role, colours in _COLOURS.items():
+        result.setColor(role, QColor(colours[dark]))
     for role in _TEXT_ROLES:
         result.setColor(
             QPalette.ColorGroup.Disabled, role, QColor("#7b838b" if dark else "#8b9299")
@@ -197,6 +211,13 @@ def fixed_width(widget_font: QFont, times: float = 1.0, *, bold: bool = False) -
     font.setStyleHint(QFont.StyleHint.SansSerif)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
+
+
+def bold(font: QFont) -> QFont:
+    """Return a font in bold."""
+    made = QFont(font)
+    made.setBold(True)
+    return made
 
 
 def blend(a: QColor, b: QColor, share: float) -> QColor:

@@ -28,7 +28,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.commands import field_dimensions, view_grouping
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames import frames_panel, model, thumbnails
+from procc_annotator.gui.panels import frame_rows, frames
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import background, review_state, visible_update
 from procc_annotator.gui.state.checking import label_check, runner
@@ -93,14 +93,14 @@ def hurried(lean) -> Iterator[None]:
 _WAITS_FOR_A_HAND = (
     (runner, "_DELAY_MS"),
     (field_dimensions, "_SETTLED_MS"),
-    (model, "_SOON_MS"),
+    (frame_rows, "_SETTLED_MS"),
     (live_fit, "_STAYED_MS"),
     (label_check, "_STAYED_MS"),
-    (frames_panel, "_TYPED_MS"),
+    (frames, "_TYPED_MS"),
     (camera_choice, "_STAYED_MS"),
     (review_state, "_COLLECT_MS"),
-    (thumbnails, "_SOON_MS"),
-    (thumbnails, "_HAND_MS"),
+    (frame_rows, "_SOON_MS"),
+    (frame_rows, "_HAND_MS"),
     (visible_update, "_INTERVAL_MS"),
     (view_grouping, "_SETTLED_MS"),
 )

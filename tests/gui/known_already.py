@@ -25,7 +25,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.dataset.review import FrameCheck
 from procc_annotator.field.model import Field
 from procc_annotator.gui.commands import shot_following
-from procc_annotator.gui.panels.frames import thumbnails
+from procc_annotator.gui.panels import frame_rows
 from procc_annotator.gui.state.checking import label_check
 from procc_annotator.gui.state.prediction import live_fit
 from procc_annotator.image import decoding
@@ -81,8 +81,8 @@ def _may_be_kept(key: Hashable) -> bool:
 
 def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have the window ask here first."""
-    decode, decode_small = decoding.decode_bgra, thumbnails.decode_thumbnail
-    shrink = thumbnails.downscale_to
+    decode, decode_small = decoding.decode_bgra, frame_rows.decode_thumbnail
+    shrink = frame_rows.downscale_to
     gain, check = live_fit.analyse_frame, label_check.check_without_fit
 
     def picture(path: Path) -> PixelArray:
@@ -130,8 +130,8 @@ def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
         return _CHECKS.of(key, work, field, *(paint or {}).values())
 
     monkeypatch.setattr(decoding, "decode_bgra", picture)
-    monkeypatch.setattr(thumbnails, "decode_thumbnail", thumbnail)
-    monkeypatch.setattr(thumbnails, "downscale_to", shrunk)
+    monkeypatch.setattr(frame_rows, "decode_thumbnail", thumbnail)
+    monkeypatch.setattr(frame_rows, "downscale_to", shrunk)
     monkeypatch.setattr(live_fit, "analyse_frame", insight)
     monkeypatch.setattr(label_check, "check_without_fit", by_eye)
 

@@ -17,7 +17,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.element_states import ElementState, element_states
-from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
+from procc_annotator.gui.panels.plots.pages import TauPage, TimelinePage
 from procc_annotator.gui.settings import SWITCHES, Settings
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from procc_annotator.report.overlay_scene import OverlayLook

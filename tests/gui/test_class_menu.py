@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.window.canvas_menu import class_menu
+from procc_annotator.gui.window.menus import class_menu
 
 FIELD = load_field("soccer")
 

@@ -19,7 +19,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import ElementProjections
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
+from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.scoring.frame_score import SourceFrame
 from procc_annotator.gui.state.services import Services

@@ -5,8 +5,8 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QTableView
 
 from procc_annotator.field.load import load_field
+from procc_annotator.gui.panels.element_states import TitleDelegate, elided_title
 from procc_annotator.gui.panels.scores import ELEMENT
-from procc_annotator.gui.panels.tables import TitleDelegate, elided_title
 from procc_annotator.gui.settings import take_up
 from procc_annotator.translation import tr
 

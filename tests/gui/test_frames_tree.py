@@ -8,9 +8,9 @@ import pytest
 from PySide6.QtCore import Qt
 
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.frames.delegate import folder_words
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
-from procc_annotator.gui.panels.frames.model import FolderInfo
+from procc_annotator.gui.panels.frame_delegate import folder_words
+from procc_annotator.gui.panels.frame_rows import FolderInfo
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.state.services import Services
 from tests.gui.conftest import all_done, draw
 
@@ -32,7 +32,7 @@ def services(open_services, tree) -> Services:
 
 @pytest.fixture
 def frames(services, show) -> FramesPanel:
-    return show(FramesPanel(services, services.cache))
+    return show(FramesPanel(services))
 
 
 def _rows(frames: FramesPanel) -> list[str]:
@@ -142,7 +142,7 @@ def test_while_blind_no_folder_tells_a_score(open_services, show, sample_data, t
             shutil.copy(sample_data / f"00002{suffix}", folder)
         shutil.copy(sample_data / "cameras/pinhole/camera_00002.json", cameras)
     services = open_services(tmp_path / "season")
-    frames = show(FramesPanel(services, services.cache))
+    frames = show(FramesPanel(services))
     assert services.camera_sources.load_cameras(tmp_path / "cameras")
 
     def scores() -> list[float | None]:

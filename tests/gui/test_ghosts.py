@@ -22,7 +22,7 @@ from procc_annotator.gui.commands import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.window.canvas_menu import canvas_menu
+from procc_annotator.gui.window.menus import canvas_menu
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.interaction.overlay_predictions import ghost_extent
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY

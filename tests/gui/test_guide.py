@@ -3,7 +3,7 @@
 from PySide6.QtCore import QUrl
 from PySide6.QtTest import QTest
 
-from procc_annotator.gui.window.guide import Guide
+from procc_annotator.gui.window.commands import Guide
 
 
 def test_help_opens_the_guide(window):

@@ -17,7 +17,7 @@ from procc_annotator.dataset.records import OriginKind
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.window.canvas_menu import canvas_menu
+from procc_annotator.gui.window.menus import canvas_menu
 from procc_annotator.image.pixels import DisplayAdjustment
 from tests.bench.paint.measures import clicks_on
 from tests.bench.paint.truth import truth_frames

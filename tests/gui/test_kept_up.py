@@ -90,7 +90,7 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
 class TestBlind:
     def test_distances_to_a_second_annotator_are_hidden(self, audited, second_annotator, qtbot):
         panel, services = audited.agreement, audited.services
-        panel.open(second_annotator)
+        services.second_annotator.open(second_annotator)
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
         services.blind_lock.set_blind(True)
         qtbot.waitUntil(lambda: panel.rows.rowCount() == 0)
@@ -207,7 +207,7 @@ class TestWhatWasLeft:
 
     def test_the_noise_of_two_annotators_follows_the_clicks(self, audited, second_annotator, qtbot):
         panel, services = audited.agreement, audited.services
-        panel.open(second_annotator)
+        services.second_annotator.open(second_annotator)
         qtbot.waitUntil(lambda: "median 0.00 px" in panel.noise.text())
         line = services.state.annotation.polylines[0]
         moved = tuple(point._replace(v=point.v + 0.02) for point in line.points)

@@ -37,7 +37,7 @@ from procc_annotator.formats.annotations.registry import FORMATS
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.tables import short_titles
+from procc_annotator.gui.panels.element_states import short_titles
 from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.window.key_dialogs import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
@@ -219,7 +219,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
         all_done(qtbot)
     services.selection.select_class("Circle left")
     begun._show_menu(QPoint(0, 0))
-    begun.agreement.open(second)
+    begun.services.second_annotator.open(second)
     all_done(qtbot)
     found += texts_of(begun)
     assert _left_out([*found, *asked.texts]) == {}

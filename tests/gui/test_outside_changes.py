@@ -15,7 +15,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_source import open_source
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames.model import RowInfo
+from procc_annotator.gui.panels.frame_rows import RowInfo
 from procc_annotator.metrics.setup import EvaluationSetup
 from tests.gui.conftest import Hand, heard, let_work_end, settle
 

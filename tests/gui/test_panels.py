@@ -15,12 +15,16 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.cameras.soccernet import write_camera
-from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
-from procc_annotator.gui.panels.element_states import ElementState, element_states, state_pen
+from procc_annotator.gui.panels.cameras import CamerasPanel
+from procc_annotator.gui.panels.element_states import (
+    ElementState,
+    element_states,
+    short_titles,
+    state_pen,
+)
 from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
-from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup

@@ -11,10 +11,9 @@ from PySide6.QtCore import QModelIndex, Qt
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.frames.delegate import row_words
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
-from procc_annotator.gui.panels.frames.model import RowInfo
-from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
+from procc_annotator.gui.panels.frame_delegate import row_words
+from procc_annotator.gui.panels.frame_rows import RowInfo, Thumbnails
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.state.services import Services
 
 
@@ -36,7 +35,7 @@ def services(open_services, frames) -> Services:
 
 @pytest.fixture
 def panel(services, show) -> FramesPanel:
-    panel = show(FramesPanel(services, services.cache))
+    panel = show(FramesPanel(services))
     panel.resize(260, 700)
     return panel
 
@@ -125,7 +124,7 @@ def test_an_edit_is_counted(qtbot, panel, services):
 
 def test_without_frames_the_panel_says_what_to_do(qtbot, qapp):
     services = Services()
-    panel = FramesPanel(services, services.cache)
+    panel = FramesPanel(services)
     qtbot.addWidget(panel)
     panel.show()
     assert panel.empty.isVisible()
@@ -141,7 +140,7 @@ def test_of_twenty_thousand_frames_only_those_on_show_are_looked_at(
         (tmp_path / f"{i:05d}.png").hardlink_to(first)
     services = Services()
     assert services.opening.open_path(tmp_path)
-    panel = FramesPanel(services, services.cache)
+    panel = FramesPanel(services)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
     asked: set[int] = set()

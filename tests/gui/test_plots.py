@@ -17,10 +17,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui import theme
-from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
-from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
-from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
-from procc_annotator.gui.panels.plots.legend import dash_of, symbol_of
+from procc_annotator.gui.panels.plots.page import PlotRequest, PlottedSource, dash_of, symbol_of
+from procc_annotator.gui.panels.plots.pages import HistogramPage, TauPage, TimelinePage, VectorsPage
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import contrast, readable

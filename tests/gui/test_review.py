@@ -15,7 +15,7 @@ from procc_annotator.gui.commands.exporting import Exporter
 from procc_annotator.gui.commands.frame_walks import StatusWalk
 from procc_annotator.gui.commands.versions import apply_version
 from procc_annotator.gui.panels.agreement import AgreementPanel
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.state.services import Services
 from procc_annotator.report.window_tables import overview_rows
@@ -149,7 +149,7 @@ class TestComments:
 class TestFilter:
     @pytest.fixture
     def frames(self, services, show) -> FramesPanel:
-        return show(FramesPanel(services, services.cache))
+        return show(FramesPanel(services))
 
     def test_states_elements_and_numbers_combine(self, frames, services, qtbot):
         draw(services, MIDDLE)
@@ -298,7 +298,7 @@ class TestSecondAnnotator:
     def test_both_are_drawn_and_compared(self, window, hand, other, qtbot):
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.panels.show("agreement")
-        window.agreement.open(other)
+        window.services.second_annotator.open(other)
         qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
@@ -315,7 +315,7 @@ class TestSecondAnnotator:
         folder = write_other(
             tmp_path, frame_0={MIDDLE: [(100, 103), (300, 103)], TOP: [(400, 200), (500, 100)]}
         )
-        panel.open(folder)
+        services.second_annotator.open(folder)
         table = panel.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 2)
         cells = [[table.model().index(row, column).data() for column in range(4)] for row in (0, 1)]
@@ -332,7 +332,7 @@ class TestSecondAnnotator:
         draw(services, MIDDLE, *px((100, 100), (200, 100)))
         folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
         (folder / "frame_1.json").write_text("{")
-        panel.open(folder)
+        services.second_annotator.open(folder)
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
         assert "Human noise over 1 frame:" in panel.noise.text()
         assert "frame_1.json" in panel.noise.toolTip()
@@ -346,7 +346,7 @@ class TestSecondAnnotator:
 
     def test_the_table_fits_a_narrow_panel(self, panel, services, other, qtbot):
         draw(services, MIDDLE, *px((100, 103), (120, 103)))
-        panel.open(other)
+        services.second_annotator.open(other)
         all_done(qtbot)
         table = panel.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
@@ -373,7 +373,7 @@ class TestSecondAnnotator:
         before = file.read_bytes()
         (folder / "labels.toml").write_text(f'[labels]\n"centre" = "{MIDDLE}"\n')
         told = heard(services)
-        panel.open(folder)
+        services.second_annotator.open(folder)
         assert not services.second_annotator.is_open  # it is read in the background
         all_done(qtbot)
         table = panel.table
@@ -385,7 +385,7 @@ class TestSecondAnnotator:
 
     def test_closing_it_takes_everything_away(self, panel, services, other, qtbot):
         draw(services, MIDDLE, *px((100, 103), (200, 103)))
-        panel.open(other)
+        services.second_annotator.open(other)
         qtbot.waitUntil(lambda: services.state.noise_floor is not None)
         services.second_annotator.close()
         qtbot.waitUntil(lambda: services.state.noise_floor is None)
@@ -395,11 +395,11 @@ class TestSecondAnnotator:
         empty = tmp_path / "empty"
         empty.mkdir()
         told = heard(services)
-        panel.open(empty)
+        services.second_annotator.open(empty)
         all_done(qtbot)
         assert "no annotation" in told[-1]
         (empty / "match_info.json").write_text('{"match": "BRA-GER"}')
-        panel.open(empty)
+        services.second_annotator.open(empty)
         all_done(qtbot)
         assert "match_info.json holds no list of points" in told[-1]
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from procc_annotator.gui import settings as rows
 from procc_annotator.gui.settings import OFFERED, Settings
 from procc_annotator.gui.theme import is_dark, set_theme
-from procc_annotator.gui.window.settings_dialog import SettingRow, SettingsDialog
+from procc_annotator.gui.window.window_settings import SettingRow, SettingsDialog
 
 
 @pytest.fixture

@@ -12,8 +12,9 @@ from PySide6.QtWidgets import QLabel, QTabBar, QToolButton, QWidget
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
-from procc_annotator.gui.panels.cameras.sources import SourceRow
+from procc_annotator.gui.panels.camera_sources import SourceRow
+from procc_annotator.gui.panels.cameras import CamerasPanel
+from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
@@ -140,7 +141,7 @@ class TestRows:
             label = child(panel, QLabel, f"cameras_jac_{index}")
             qtbot.waitUntil(lambda label=label, text=expected: label.text() == text)
         assert child(panel, QLabel, "cameras_matched_1").text() == "5 of 6 (83 %)"
-        assert child(panel, QLabel, "cameras_model_1").text() == "pinhole P"
+        assert child(panel, ElidedLabel, "cameras_model_1").text() == "pinhole P"
         services.evaluation.set_tau(12.0)
         expected = f"JaC {mean_jac(services, 'bad', 12.0):.3f}"
         assert expected != f"JaC {mean_jac(services, 'bad', 5.0):.3f}"

@@ -20,7 +20,6 @@ from procc_annotator.dataset.sequence import FEWEST, sequence_of
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.timeline import content, painting
 from procc_annotator.gui.panels.timeline.content import Axis, Band, band_pixels
-from procc_annotator.gui.panels.timeline.painting import strip_rows
 from tests.gui.conftest import Hand, all_done
 
 SIZE = (320, 180)
@@ -361,9 +360,8 @@ class TestWhatItTells:
         take(window, [tracked(n) for n in range(100, 112)], (100, 111))
         strip = window.strip
         image = strip.grab().toImage()
-        rows = strip_rows(strip.fontMetrics())
         ground = strip.palette().color(QPalette.ColorRole.Base)
-        low = rows.band + 14  # the worst frame is as high
+        low = strip.fontMetrics().height() + 25  # in the band, as high as the worst frame
 
         def colour(number: int) -> QColor:
             return image.pixelColor(place_of(window, number).x(), low)

@@ -17,7 +17,7 @@ from procc_annotator.dataset.records import FaultParty, Verdict
 from procc_annotator.gui.commands.frame_walks import WorstFirst
 from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
+from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
@@ -64,7 +64,7 @@ def worst(services) -> WorstFirst:
 
 @pytest.fixture
 def frames(services, show) -> FramesPanel:
-    return show(FramesPanel(services, services.cache))
+    return show(FramesPanel(services))
 
 
 def source_of(services: Services, name: str) -> CameraSource:

@@ -3,8 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from procc_annotator.gui.messages import ask_where
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where
 
 TABLE, JSON = "Table (*.csv)", "JSON (*.json)"
 

@@ -27,10 +27,10 @@ from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.picture_item import ShownPicture
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.canvas.viewport_overlays import BlindFrame, FoundPlate
-from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.theme import give_role
 from procc_annotator.image.pixels import DisplayAdjustment
 from procc_annotator.interaction.gestures import Modifiers
 from procc_annotator.interaction.hints import SEPARATOR

@@ -19,11 +19,11 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from procc_annotator.assist.track_anchors import CameraCorrection
 from procc_annotator.calibration.single_image.proposal import NONE, SURE
 from procc_annotator.gui.canvas.view import PictureView
-from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import State
+from procc_annotator.gui.theme import give_role
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.palette import UNSURE_GHOST
 from procc_annotator.translation import tr, tr_count, word

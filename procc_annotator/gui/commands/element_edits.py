@@ -21,8 +21,7 @@ from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.element_keys import element_keys, keys_by_place
-from procc_annotator.gui.keymap import NATIVE
+from procc_annotator.gui.keymap import NATIVE, element_keys, keys_by_place
 from procc_annotator.gui.panels.element_states import class_swatch
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority

@@ -18,11 +18,11 @@ from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.commands.dialogs import DialogTask
+from procc_annotator.gui.messages import ask_where, opened_frame, write
 from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.report.window_tables import OverviewRow, overview_csv, overview_rows

@@ -29,12 +29,12 @@ from procc_annotator.field.load import stadium_of
 from procc_annotator.field.markings import has_off_centre_markings
 from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
 from procc_annotator.gui.commands.dialogs import DialogTask, TaskDialog, dialog_buttons
+from procc_annotator.gui.messages import opened_frame
 from procc_annotator.gui.panels.widgets import RangeBox, note_label, show_note
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, word
 
 _WIDTH = 440

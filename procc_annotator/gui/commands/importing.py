@@ -26,6 +26,7 @@ from procc_annotator.formats.annotations.label_map import (
 )
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.commands.dialogs import DialogTask
+from procc_annotator.gui.messages import opened_frame
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.editing.batch_edits import (
     BatchEdits,
@@ -36,7 +37,6 @@ from procc_annotator.gui.state.editing.batch_edits import (
     why_left_alone,
 )
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, translatable
 
 if TYPE_CHECKING:

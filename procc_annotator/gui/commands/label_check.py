@@ -14,11 +14,11 @@ from procc_annotator.calibration.label_check.finding import Finding, Remedy, Rem
 from procc_annotator.dataset.review import StoredFinding, by_severity
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.panels.findings.finding_rows import Entry
-from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel, so_many
+from procc_annotator.gui.messages import ask_where, opened_frame
+from procc_annotator.gui.panels.finding_rows import Entry
+from procc_annotator.gui.panels.findings import so_many
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
 from procc_annotator.translation import (
     TranslatableText,
@@ -53,16 +53,6 @@ class LabelCheckCommands(QObject):
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
         services.store.watch(select.dataset, self._forget_passed)
-
-    def serve(self, panel: FindingsPanel) -> None:
-        """Do what the list of findings asks for."""
-        panel.goTo.connect(self.go)
-        panel.remedyWanted.connect(self.apply)
-        panel.ignoreWanted.connect(self.ignore)
-        panel.restoreWanted.connect(self.restore)
-        panel.checkWanted.connect(self.check_set)
-        panel.stopWanted.connect(self.stop)
-        panel.exportWanted.connect(self.ask_export)
 
     # --- walking --------------------------------------------------------------------------
 

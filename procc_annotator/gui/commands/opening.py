@@ -31,12 +31,12 @@ from procc_annotator.errors import FieldError, InputError, ProccError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.commands.dialogs import dialog_buttons
+from procc_annotator.gui.messages import write
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, SOURCES, Setting, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import write
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
 from procc_annotator.translation import tr, tr_count

@@ -18,9 +18,9 @@ from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
 from procc_annotator.gui.commands.dialogs import dialog_buttons
+from procc_annotator.gui.messages import ask_where, write
 from procc_annotator.gui.panels.widgets import DecimalBox
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.overlay_scene import (
     MAX_SCALE,
     MIN_SCALE,

@@ -13,11 +13,11 @@ from procc_annotator.batch.triage import JudgedVerdict, judge_verdict
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, place_by_name
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.gui.messages import ask_where, opened_frame, write
 from procc_annotator.gui.panels.scores import VerdictRow
 from procc_annotator.gui.state.availability import hidden, no_frame, no_source
 from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.window_tables import verdicts_csv
 from procc_annotator.translation import tr, tr_count, word
 

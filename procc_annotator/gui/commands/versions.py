@@ -28,8 +28,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
 from procc_annotator.gui.commands.dialogs import CLOSE, dialog_buttons
 from procc_annotator.gui.panels.element_states import class_title
-from procc_annotator.gui.panels.tables import Index
-from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.panels.widgets import Index, empty_state, note_label, show_note
 from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, paint_row

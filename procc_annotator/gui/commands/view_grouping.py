@@ -28,14 +28,12 @@ from procc_annotator.dataset.landmarks.view_groups import (
 from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.commands.dialogs import CLOSE, DialogTask, TaskDialog, dialog_buttons
-from procc_annotator.gui.messages import ask_to_replace
-from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
-from procc_annotator.gui.panels.widgets import note_label, show_note
+from procc_annotator.gui.messages import ask_to_replace, opened_frame
+from procc_annotator.gui.panels.widgets import Index, RowsModel, list_rows, note_label, show_note
 from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
-from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, word
 
 _SIZE = (560, 520)

@@ -2,28 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QHeaderView,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
 )
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.gui.panels.element_states import class_title
-from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTable, Index
-from procc_annotator.gui.panels.widgets import empty_state
+from procc_annotator.gui.panels.widgets import (
+    ElementRowsModel,
+    ElementTable,
+    Panel,
+    empty_state,
+    make_button,
+    make_label,
+    vbox,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.theme import bold
 from procc_annotator.metrics.agreement import (
     AgreementAccumulator,
     AgreementSummary,
@@ -64,35 +68,26 @@ class _AgreementModel(ElementRowsModel[_Row]):
     """Agreement of both by class, least first."""
 
     def __init__(self) -> None:
-        super().__init__((word("Element"), word("Median"), "95 %", word("Points")))
+        super().__init__((word("Element"), word("Median"), "95 %", word("Points")), first_figure=1)
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        row, column = self.rows[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            return row.texts[column]
-        if role == Qt.ItemDataRole.TextAlignmentRole and column:
-            return RIGHT
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return f"{row.texts[0]}\n{row.tip}"  # a narrow panel cuts the name
-        if role == Qt.ItemDataRole.FontRole and row.apart:
-            font = QFont()
-            font.setBold(True)
-            return font
-        return None
+    def texts(self, row: _Row) -> Sequence[str]:
+        return row.texts
+
+    def tip(self, row: _Row) -> str:
+        return f"{row.texts[0]}\n{row.tip}"  # a narrow panel cuts the name
+
+    def font(self, row: _Row) -> QFont | None:
+        return bold(QFont()) if row.apart else None
 
 
-class AgreementPanel(QWidget):
+class AgreementPanel(Panel):
     """Distances between two annotators in this frame, and over the set: the human noise floor."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("agreement_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "agreement_panel")
         self._measuring = LatestOnlyTask(self, self._say_of_set)
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (
                 s.workspace,
                 s.frame_index,
@@ -111,10 +106,6 @@ class AgreementPanel(QWidget):
         services.store.events.framesEdited.connect(self._rested.start)
         self._refresh()
 
-    def open(self, path: Path) -> None:
-        """Compare with the annotations of a folder or archive of any format, once they are read."""
-        self._services.second_annotator.open(path)
-
     def _compare(self) -> None:
         services = self._services
         services.second_annotator.show(
@@ -126,27 +117,21 @@ class AgreementPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state(tr(_NONE), "agreement_empty")
-        self.noise = QLabel()
-        self.noise.setObjectName("agreementNoise")
-        self.noise.setWordWrap(True)
-        self.frame = QLabel()
-        self.frame.setObjectName("agreementFrame")
-        self.frame.setWordWrap(True)
+        self.noise = make_label(name="agreementNoise", wrap=True)
+        self.frame = make_label(name="agreementFrame", wrap=True)
         self.rows = _AgreementModel()
         self.table = ElementTable("agreementTable", self.rows, {})
         self.table.setAccessibleName(tr("Distances by element"))
         header = self.table.horizontalHeader()
-        for column in (1, 2, 3):
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        for figures in (1, 2, 3):
+            header.setSectionResizeMode(figures, QHeaderView.ResizeMode.ResizeToContents)
         self.table.chosen.connect(
             lambda row: self._services.selection.select_class(self.rows.rows[row].class_name)
         )
-        self.close_button = QPushButton(tr("Close the second annotator"))
-        self.close_button.clicked.connect(self._services.second_annotator.close)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        for part in (self.empty, self.noise, self.frame, self.table, self.close_button):
-            layout.addWidget(part)
+        close = self._services.second_annotator.close
+        self.close_button = make_button(tr("Close the second annotator"), close)
+        parts = (self.empty, self.noise, self.frame, self.table, self.close_button)
+        vbox(*parts, of=self, margins=6)
 
     # --- showing --------------------------------------------------------------------------
 
@@ -158,31 +143,26 @@ class AgreementPanel(QWidget):
         self.empty.setVisible(not second.is_open)
         if not second.is_open:
             return
+        rows: list[_Row] = []
         if second.error:
-            self.frame.setText(
-                tr(
-                    "The second annotator's file for this frame is unreadable: {error}",
-                    error=second.error,
-                )
+            text = tr(
+                "The second annotator's file for this frame is unreadable: {error}",
+                error=second.error,
             )
-            self.rows.replace(())
-            return
-        if not services.state.projection_visible:
-            self.frame.setText(
-                tr("Hidden: blind mode shows the score once this frame is committed.")
-            )
-            self.rows.replace(())
-            return
-        found = second.agreement(services.state.shown_annotation, services.state.setup.size)
-        if found is None:
-            self.frame.setText(tr("The second annotator has nothing for this frame."))
-            self.rows.replace(())
-            return
-        self.frame.setText("\n".join(self._frame_lines(found)))
-        # What agrees least comes first.
-        ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
-        field = services.state.field
-        self.rows.replace([_row(entry, class_title(field, entry.class_name)) for entry in ranked])
+        elif not services.state.projection_visible:
+            text = tr("Hidden: blind mode shows the score once this frame is committed.")
+        elif (
+            found := second.agreement(services.state.shown_annotation, services.state.setup.size)
+        ) is None:
+            text = tr("The second annotator has nothing for this frame.")
+        else:
+            text = "\n".join(self._frame_lines(found))
+            # What agrees least comes first.
+            ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
+            field = services.state.field
+            rows = [_row(entry, class_title(field, entry.class_name)) for entry in ranked]
+        self.frame.setText(text)
+        self.rows.replace(rows)
 
     def _frame_lines(self, found: FrameAgreement) -> list[str]:
         services = self._services

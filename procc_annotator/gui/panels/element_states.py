@@ -1,20 +1,23 @@
-"""The state of each field element in this frame: words, symbols, lines, alike in every panel."""
+"""Field elements as every panel shows them: their state in this frame, symbols, short titles."""
 
 from __future__ import annotations
 
 from enum import Enum
 from functools import lru_cache
+from itertools import takewhile
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter, QPalette, QPen, QPixmap
+from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.widgets import Index
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import is_dark, muted, readable
 from procc_annotator.gui.theme import palette as theme_palette
 from procc_annotator.interaction import palette as tones
-from procc_annotator.translation import tr, word
+from procc_annotator.translation import is_english, tr, word
 
 
 class ElementState(Enum):
@@ -83,6 +86,26 @@ def element_states(services: Services) -> dict[str, ElementState]:
     for name in services.review.not_visible(frame.name) if frame is not None else ():
         states.setdefault(name, ElementState.NOT_VISIBLE)
     return states
+
+
+def fly_to_point(
+    services: Services, annotation: FrameAnnotation, class_name: str, point: int | None
+) -> bool:
+    """Choose an element, or one of its points, and show the point (None: the first one).
+
+    Returns:
+        Whether the annotation has a point of the element that can be shown.
+    """
+    if point is not None:
+        services.selection.select_point(class_name, point)
+    else:
+        services.selection.select_class(class_name)
+    polyline, size = annotation.get(class_name), services.state.picture_size
+    if polyline is None or not polyline.points or size is None:
+        return False
+    x, y = points_px(polyline, size)[point or 0].tolist()
+    services.store.events.flyTo.emit(x, y)
+    return True
 
 
 def class_title(field: Field, class_name: str) -> str:
@@ -228,3 +251,87 @@ def _swatch(rgba: int) -> QIcon:
     for mode in (QIcon.Mode.Selected, QIcon.Mode.Active):
         icon.addPixmap(pixmap, mode)  # or the style would tint it
     return icon
+
+
+_COMMAS = (",", "、", "，")
+
+
+def short_titles(field: Field) -> dict[str, str]:
+    """By class: the title without what its group says already.
+
+    In English these are the leading words that all titles of the group share with it: below "Left
+    three-point line" the "Left three-point far straight" is the "Far straight". Other languages
+    bend their words and put them elsewhere; there it is a first part of words of the group: below
+    "Linkes Tor" the "Linkes Tor, linker Pfosten" is the "Linker Pfosten".
+    """
+    groups: dict[str, list[tuple[str, str]]] = {}
+    for element in field.elements:
+        groups.setdefault(element.group, []).append((element.name, element.title))
+    found = {}
+    for group, elements in groups.items():
+        leading = _leading(group, [title for _, title in elements])
+        for name, title in elements:
+            said, english = tr(title), " ".join(title.split()[leading:])
+            rest = english if said == title else _beyond(tr(group), said)
+            found[name] = f"{rest[:1].upper()}{rest[1:]}"
+    return found
+
+
+def _beyond(group: str, title: str) -> str:
+    """Return what a title says behind a first part that has no word but the group's; else all of
+    it."""
+    for comma in _COMMAS:
+        first, _, rest = title.partition(comma)
+        if rest and set(first.split()) <= set(group.split()):
+            return rest.strip()
+    return title
+
+
+def _leading(group: str, titles: list[str]) -> int:
+    """Return how many leading words of a group all its titles share, each having words beyond
+    them."""
+    if len(titles) < 2:
+        return 0
+    columns = zip(group.split(), *(title.split()[:-1] for title in titles), strict=False)
+    return sum(1 for _ in takewhile(lambda words: len(set(words)) == 1, columns))
+
+
+class TitleDelegate(QStyledItemDelegate):
+    """Writes titles so that near and far, left and right can be distinguished."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        super().initStyleOption(option, index)
+        view = option.widget
+        style = view.style()
+        room = style.subElementRect(QStyle.SubElement.SE_ItemViewItemText, option, view).width()
+        margin = style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, view) + 1
+        option.text = elided_title(option.text, option.fontMetrics, room - 2 * margin)
+
+
+def elided_title(title: str, metrics: QFontMetrics, width: int) -> str:
+    """A title in so many px: the side of the field stands first, what distinguishes its parts last.
+
+    "Right three-point far straight" becomes "Right … far straight", then "R… far straight". Other
+    languages have the side anywhere: there every long word is shortened.
+    """
+    if not is_english():
+        return _abbreviated(title, metrics, width)
+    words = title.split()
+    fewer = (words[1 + left_out :] for left_out in range(1, len(words) - 2))
+    shorter = [title, *(" ".join((words[0], "…", *rest)) for rest in fewer)]
+    if len(words) > 2:
+        shorter.append(" ".join((f"{words[0][0]}…", *words[-2:])))
+    for text in shorter:
+        if metrics.horizontalAdvance(text) <= width:
+            return text
+    return metrics.elidedText(title, Qt.TextElideMode.ElideMiddle, max(width, 0))
+
+
+def _abbreviated(title: str, metrics: QFontMetrics, width: int) -> str:
+    """Shorten the longest words of a title first: "Surf. gauc. côté loin."."""
+    words = title.split()
+    for most in range(max(map(len, words), default=0), 1, -1):
+        text = " ".join(w if len(w) <= most else f"{w[: most - 1]}." for w in words)
+        if metrics.horizontalAdvance(text) <= width:
+            return text
+    return metrics.elidedText(title, Qt.TextElideMode.ElideMiddle, max(width, 0))

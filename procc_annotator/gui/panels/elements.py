@@ -5,32 +5,36 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QFont, QKeyEvent, QResizeEvent
+from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt
+from PySide6.QtGui import QBrush, QFont, QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
-    QLineEdit,
-    QStackedLayout,
     QTreeWidget,
     QTreeWidgetItem,
-    QVBoxLayout,
-    QWidget,
 )
 
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.sampling import distances_from
-from procc_annotator.gui.element_keys import element_keys
-from procc_annotator.gui.keymap import NATIVE, short_text
+from procc_annotator.gui.canvas.finding_sign import finding_icon
+from procc_annotator.gui.keymap import NATIVE, element_keys, short_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
     class_swatch,
     element_states,
+    short_titles,
     symbol_icon,
     words_for,
 )
-from procc_annotator.gui.panels.findings.finding_rows import FindingSigns
-from procc_annotator.gui.panels.tables import short_titles
-from procc_annotator.gui.panels.widgets import NARROW, SEARCH_KEYS, empty_state
+from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
+from procc_annotator.gui.panels.widgets import (
+    NARROW,
+    Pages,
+    Panel,
+    named,
+    search_line,
+    vbox,
+)
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
@@ -38,33 +42,25 @@ from procc_annotator.interaction.class_choice import match_rank
 from procc_annotator.translation import tr, word
 
 NAME, KEY, POINTS, STATUS = range(4)
-CHECK = POINTS  # a column of its own would take the room of the names
 _CLASS = Qt.ItemDataRole.UserRole
 _OTHER_GROUP = word("Without geometry")
 _UNKNOWN_GROUP = word("Unknown to the field (unknown classes)")
 
 
-class ElementsPanel(QWidget):
+class ElementsPanel(Panel):
     """Every class of the field, and those of the file that the field does not know."""
 
-    left = Signal()  # the search was finished or given up: the keyboard belongs to the canvas again
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("elements_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "elements_panel", (300, 320))
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
-        self._shown: dict[str, tuple[ElementState, int, bool]] = {}
-        self._findings = FindingSigns(services)
+        self._shown: dict[str, tuple[ElementState, int, bool, tuple[StoredFinding, ...]]] = {}
         self._narrow = False
         self._room: tuple[object, ...] = ()  # what the widths of the columns follow from
         self._shaded: str | None = None
         self._build()
         self._fill()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.selection),
             services.label_check.changed,
             services.ghosts.changed,
@@ -78,22 +74,16 @@ class ElementsPanel(QWidget):
         self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.search.selectAll()
 
-    def sizeHint(self) -> QSize:
-        return QSize(300, 320)
-
     # --- building ------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.search = QLineEdit(placeholderText=tr("Find an element"), clearButtonEnabled=True)
-        self.search.setObjectName("elements_search")
-        self.search.setAccessibleName(tr("Find an element"))
-        self.search.textChanged.connect(self._apply_search)
-        self.search.installEventFilter(self)
-        self.tree = QTreeWidget(columnCount=4)
+        hint = tr("Find an element")
+        self.search = search_line(
+            hint, "elements_search", self._apply_search, keys=self._search_key
+        )
+        self.tree = named(QTreeWidget(columnCount=4), "elements_tree", title=tr("Elements"))
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
-        self.tree.setObjectName("elements_tree")
-        self.tree.setAccessibleName(tr("Elements"))
         self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), tr("Pts"), tr("Status")])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
         self.tree.setIndentation(8)
@@ -114,15 +104,9 @@ class ElementsPanel(QWidget):
             lambda item: self._services.selection.hover_class(item.data(0, _CLASS))
         )
         self.tree.viewport().installEventFilter(self)
-        self.nothing = empty_state("", "elements_empty")
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self.tree)
-        self._stack.addWidget(self.nothing)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addWidget(self.search)
-        layout.addLayout(self._stack)
+        self._pages = Pages(self.tree, "elements_empty")
+        self.nothing = self._pages.empty
+        vbox(self.search, self._pages, of=self, spacing=4, margins=4)
 
     def _take_field(self) -> None:
         """List the classes of another field, or those of the same with other dimensions."""
@@ -145,7 +129,6 @@ class ElementsPanel(QWidget):
         keys = element_keys(field, self._services.state.keymap)
         self._keys = {name: key.toString(NATIVE) for name, key in keys.items()}
         self._short = short_titles(field)
-        self._findings.forget()
         listed = {e.name: e.group for e in field.elements}
         self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 
@@ -210,17 +193,20 @@ class ElementsPanel(QWidget):
         states = element_states(self._services)
         annotation = self._services.state.shown_annotation
         counts = {p.class_name: len(p.points) for p in annotation}
+        findings = findings_by_element(self._services)
         best = self._services.ghosts.suggestion
         following = None if best is None else best.name
         # Signalled cell by cell, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
         others: list[QTreeWidgetItem] = []
+        ratio = self.devicePixelRatioF()
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             if name == following:
                 state = ElementState.NEXT
-            shown = (state, counts.get(name, 0), self._narrow)
+            found = findings.get(name, ())
+            shown = (state, counts.get(name, 0), self._narrow, found)
             if self._shown.get(name) != shown:
                 self._shown[name] = shown
                 others.append(item)
@@ -228,17 +214,20 @@ class ElementsPanel(QWidget):
                 item.setText(STATUS, "" if self._narrow else words_for(state))
                 item.setToolTip(STATUS, tr(EXPLANATIONS[state]))
                 item.setIcon(STATUS, symbol_icon(state, self))
-        others += self._findings.show(self.tree, self._items, CHECK)
+                # Signs of findings: a column of their own would take the room of the names.
+                sign = finding_icon(found[0].finding.severity, ratio) if found else QIcon()
+                item.setIcon(POINTS, sign)
+                item.setToolTip(POINTS, reasons_of(found))
         model.blockSignals(False)
-        self._tell_view(others)
+        self._tell_view(others, bool(findings))
         self._show_selection()
 
-    def _tell_view(self, others: list[QTreeWidgetItem]) -> None:
+    def _tell_view(self, others: list[QTreeWidgetItem], signs: bool) -> None:
         """Have rows painted again, and the columns laid out if they need other room."""
-        most = max((count for _, count, _ in self._shown.values()), default=0)
-        states = {state for state, _, narrow in self._shown.values() if not narrow}
+        most = max((count for _, count, *_ in self._shown.values()), default=0)
+        states = {state for state, _, narrow, _ in self._shown.values() if not narrow}
         widest = max(map(self.fontMetrics().horizontalAdvance, map(words_for, states)), default=0)
-        room = len(str(most)), widest, self._narrow, self._findings.any_shown
+        room = len(str(most)), widest, self._narrow, signs
         if room != self._room:
             self._room = room
             self.tree.scheduleDelayedItemsLayout()
@@ -306,13 +295,10 @@ class ElementsPanel(QWidget):
                 self.tree.setCurrentItem(best[1])
             else:
                 self.tree.setCurrentIndex(QModelIndex())
-            nothing = tr(
-                "No element matches “{query}”.\nEsc clears the search.", query=query.strip()
-            )
-            self.nothing.setText(nothing)
         else:
             self._show_selection()
-        self._stack.setCurrentWidget(self.tree if best else self.nothing)
+        why = tr("No element matches “{query}”.\nEsc clears the search.", query=query.strip())
+        self._pages.explain("" if best else why)
 
     def _likeliness(self) -> dict[str, tuple[bool, float]]:
         """Between classes that fit as well: first what is missing, and near what is annotated."""
@@ -326,16 +312,9 @@ class ElementsPanel(QWidget):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
             self._services.selection.hover_class(None)
-        if watched is self.search and isinstance(event, QKeyEvent):
-            if event.type() == QEvent.Type.ShortcutOverride and event.key() in SEARCH_KEYS:
-                event.accept()  # here they search, they do not finish a polyline
-                return True
-            if event.type() == QEvent.Type.KeyPress:
-                return self._search_key(event)
         return super().eventFilter(watched, event)
 
-    def _search_key(self, event: QKeyEvent) -> bool:
-        key = event.key()
+    def _search_key(self, key: Qt.Key) -> None:
         if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             item = self.tree.currentItem()
             if self.search.text().strip() and item is not None and not item.isHidden():
@@ -343,24 +322,18 @@ class ElementsPanel(QWidget):
                 self._leave_search()
         elif key == Qt.Key.Key_Escape:
             self._leave_search()
-        elif key in (Qt.Key.Key_Down, Qt.Key.Key_Up):
-            step = 1 if key == Qt.Key.Key_Down else -1
-            self._step(step)
         else:
-            return False
-        return True
+            self._step(1 if key == Qt.Key.Key_Down else -1)
 
     def _step(self, step: int) -> None:
-        visible = [item for item in self._in_order() if not item.isHidden()]
+        groups = [self.tree.topLevelItem(i) for i in range(self.tree.topLevelItemCount())]
+        items = [item for group in groups if group is not None for item in _children(group)]
+        visible = [item for item in items if not item.isHidden()]
         if not visible:
             return
         current = self.tree.currentItem()
         at = visible.index(current) + step if current in visible else 0
         self.tree.setCurrentItem(visible[max(0, min(at, len(visible) - 1))])
-
-    def _in_order(self) -> list[QTreeWidgetItem]:
-        groups = [self.tree.topLevelItem(i) for i in range(self.tree.topLevelItemCount())]
-        return [child for group in groups if group is not None for child in _children(group)]
 
     def _leave_search(self) -> None:
         self.search.clear()

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
-from PySide6.QtGui import QAction, QFont, QPalette
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QAction, QFont
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QPushButton,
-    QSizePolicy,
-    QStackedLayout,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
-from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.assist.frame_analysis import FrameAnalysis
 from procc_annotator.calibration.result import (
     ILL_CONDITIONED_LIMITS,
@@ -31,16 +28,23 @@ from procc_annotator.calibration.result import (
 )
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.element_states import ElementState, class_title
-from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTable, Index
+from procc_annotator.gui.panels.element_states import ElementState, class_title, fly_to_point
 from procc_annotator.gui.panels.widgets import (
+    ElementRowsModel,
+    ElementTable,
+    Pages,
+    Panel,
     ScrolledContent,
     box_of,
+    caption,
     choice,
-    empty_state,
+    hbox,
+    make_button,
+    make_label,
     note_label,
     scrolling,
     show_note,
+    vbox,
 )
 from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.prediction.live_fit import MODELS
@@ -112,27 +116,23 @@ class FitTableModel(ElementRowsModel[FitRow]):
     def __init__(self) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, MEAN)
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        row, column = self.rows[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            return (row.words, row.mean, row.largest)[column]
-        if role == Qt.ItemDataRole.TextAlignmentRole and column >= MEAN:
-            return RIGHT
-        if role == Qt.ItemDataRole.FontRole and row.left_out:
-            font = QFont()
-            font.setItalic(True)
-            return font
-        if role == Qt.ItemDataRole.ToolTipRole:
-            words = tr(
-                "{title}: mean {mean} px, largest {largest} px",
-                title=row.title,
-                mean=row.mean,
-                largest=row.largest,
-            )
-            if row.left_out:
-                words += "\n" + tr("Taken for a mistake: it had no say in the fit")
-            return words
-        return None
+    def texts(self, row: FitRow) -> Sequence[str]:
+        return row.words, row.mean, row.largest
+
+    def font(self, row: FitRow) -> QFont | None:
+        font = QFont()
+        font.setItalic(True)
+        return font if row.left_out else None
+
+    def tip(self, row: FitRow) -> str:
+        words = tr(
+            "{title}: mean {mean} px, largest {largest} px",
+            title=row.title,
+            mean=row.mean,
+            largest=row.largest,
+        )
+        left_out = tr("Taken for a mistake: it had no say in the fit")
+        return f"{words}\n{left_out}" if row.left_out else words
 
 
 def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
@@ -171,101 +171,67 @@ MODEL_WORDS = {
 _GREY_AFTER_MS = 100  # most fits are there by then
 
 
-class FitPanel(QWidget):
+class FitPanel(Panel):
     """Displays the live fit; a click on an element flies to its worst point."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("fit_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "fit_panel", (300, 360))
         self._shown: FrameAnalysis | None = None
         self._frame: str | None = None
         self._opinion = CachedScore()
         self._build()
         self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
         self._slow.timeout.connect(self._say_working)
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
             services.live_fit.changed,
         )
 
-    def sizeHint(self) -> QSize:
-        return QSize(300, 360)
-
     # --- building ------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.empty = empty_state("", "fit_empty")
-        self.content = ScrolledContent()
-        inner = QVBoxLayout(self.content)
-        inner.setContentsMargins(0, 0, 0, 0)
-        inner.setSpacing(6)
-        inner.addLayout(self._build_headline())
         self.counted = note_label("fit_counted")
         self.counted.setToolTip(
             tr("Elements in sight that are not annotated count against the JaC")
         )
-        inner.addWidget(self.counted)
         self.chosen = note_label("fit_chosen")
         self.weak = note_label("fit_weak")
         self.weak.setTextFormat(Qt.TextFormat.RichText)
         self.weak.setToolTip(tr("Hardly determined: {limits}", limits=ILL_CONDITIONED_LIMITS))
         self.terms = note_label("fit_terms")
-        inner.addWidget(self.weak)
-        inner.addWidget(self.chosen)
-        inner.addWidget(self.terms)
-        inner.addWidget(self._build_table(), 1)
-        inner.addWidget(self._build_pose())
-        self._pages = QStackedLayout()
-        self._pages.addWidget(self.empty)
-        self._shown_page = scrolling(self.content)
-        self._pages.addWidget(self._shown_page)
-        self._buttons = QVBoxLayout()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.setSpacing(6)
-        layout.addLayout(self._build_choice())
-        layout.addLayout(self._pages, 1)
-        layout.addLayout(self._buttons)
-
-    def _build_choice(self) -> QHBoxLayout:
-        self.model = choice("fit_model")
-        self.model.setToolTip(
-            tr("What is fitted. Automatically: the simplest model that the clicks support")
+        self.model = choice(
+            "fit_model",
+            tip=tr("What is fitted. Automatically: the simplest model that the clicks support"),
+            items=[(tr(MODEL_WORDS[model]), model) for model in MODELS],
+            chosen=self._services.live_fit.set_model,
         )
-        for model in MODELS:
-            self.model.addItem(tr(MODEL_WORDS[model]), model)
-        self.model.activated.connect(
-            lambda: self._services.live_fit.set_model(self.model.currentData())
+        self.content = ScrolledContent()
+        vbox(
+            self._build_headline(),
+            self.counted,
+            self.weak,
+            self.chosen,
+            self.terms,
+            (self._build_table(), 1),
+            self._build_pose(),
+            of=self.content,
+            spacing=6,
+            margins=0,
         )
-        caption = QLabel(tr("Model"))
-        caption.setBuddy(self.model)
-        row = QHBoxLayout()
-        row.addWidget(caption)
-        row.addWidget(self.model, 1)
-        return row
+        self._pages = Pages(scrolling(self.content), "fit_empty")
+        self.empty = self._pages.empty
+        self._buttons = vbox()
+        choose = caption(tr("Model"), self.model)
+        vbox(choose, (self._pages, 1), self._buttons, of=self, spacing=6, margins=6)
 
     def _build_headline(self) -> QHBoxLayout:
-        self.jac = QLabel()
-        self.jac.setObjectName("fit_jac")
         font = fixed_width(self.font(), 1.6, bold=True)
-        self.jac.setFont(font)
-        self.at_tau = QLabel()
-        self.at_tau.setObjectName("fit_tau")
-        self.mean = QLabel()
-        self.mean.setObjectName("fit_mean")
-        self.mean.setFont(font)
-        self.mean.setToolTip(tr("Mean distance of the points that had a say, px of the picture"))
-        headline = QHBoxLayout()
-        for value, caption in ((self.jac, self.at_tau), (self.mean, QLabel(tr("mean residual")))):
-            column = QVBoxLayout()
-            column.setSpacing(0)
-            column.addWidget(value)
-            column.addWidget(caption)
-            headline.addLayout(column, 1)
-        return headline
+        self.jac = make_label(name="fit_jac", font=font)
+        self.at_tau = make_label(name="fit_tau")
+        tip = tr("Mean distance of the points that had a say, px of the picture")
+        self.mean = make_label(name="fit_mean", font=font, tip=tip)
+        pairs = ((self.jac, self.at_tau), (self.mean, QLabel(tr("mean residual"))))
+        return hbox(*((vbox(*pair, spacing=0), 1) for pair in pairs))
 
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
@@ -283,15 +249,13 @@ class FitPanel(QWidget):
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(0)
         self.pose: list[tuple[QLabel, QLabel, QLabel]] = []
-        right = Qt.AlignmentFlag.AlignRight
-        for row in range(7):
-            labels = (QLabel(), QLabel(), QLabel())
-            for column, label in enumerate(labels):
-                label.setFont(fixed_width(self.font()))
-                grid.addWidget(label, row, column, right if column else Qt.AlignmentFlag.AlignLeft)
-            labels[0].setForegroundRole(QPalette.ColorRole.PlaceholderText)
-            labels[2].setObjectName(f"fit_sd_{row}")
-            labels[2].setToolTip(tr("Standard deviation, as the fit estimates it"))
+        right, font = Qt.AlignmentFlag.AlignRight, fixed_width(self.font())
+        tip = tr("Standard deviation, as the fit estimates it")
+        for line in range(7):
+            sd = make_label(name=f"fit_sd_{line}", font=font, tip=tip)
+            labels = (make_label(font=font, faint=True), make_label(font=font), sd)
+            for place, part in enumerate(labels):
+                grid.addWidget(part, line, place, right if place else Qt.AlignmentFlag.AlignLeft)
             self.pose.append(labels)
         grid.setColumnStretch(0, 1)
         return self.figures
@@ -299,11 +263,8 @@ class FitPanel(QWidget):
     def add_actions(self, live: QAction, save: QAction) -> None:
         """Offer switching on and off and saving as a box and a button."""
         self.on = box_of(live, "fit_on")
-        self.save = QPushButton(tr("Save as the frame's camera"))
-        self.save.setObjectName("fit_save")
-        self.save.setToolTip(save.toolTip())
-        self.save.clicked.connect(save.trigger)
-        self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        words = tr("Save as the frame's camera")
+        self.save = make_button(words, save.trigger, "fit_save", tip=save.toolTip(), wide=True)
         self._buttons.addWidget(self.on)
         self._buttons.addWidget(self.save)
 
@@ -311,8 +272,7 @@ class FitPanel(QWidget):
 
     def _refresh(self) -> None:
         services, live = self._services, self._services.live_fit
-        with QSignalBlocker(self.model):
-            self.model.setCurrentIndex(self.model.findData(live.model))
+        self.model.setCurrentIndex(self.model.findData(live.model))
         insight = live.insight
         frame = services.state.frame.name if services.state.frame is not None else None
         came, self._frame = frame != self._frame, frame
@@ -325,12 +285,11 @@ class FitPanel(QWidget):
         found = insight is not None and insight.fit.camera is not None
         self.save.setEnabled(found)
         if insight is None or not found:
-            self.empty.setText(self._why_empty(insight))
-            self._pages.setCurrentWidget(self.empty)
+            self._pages.explain(self._why_empty(insight))
             return
         self.content.setEnabled(True)
         self._show_fit(insight)
-        self._pages.setCurrentWidget(self._shown_page)
+        self._pages.explain("")
 
     def _say_working(self) -> None:
         if self._services.live_fit.insight is None:
@@ -376,8 +335,8 @@ class FitPanel(QWidget):
         figures = pose_figures(fit)
         self.figures.setVisible(bool(figures))
         for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
-            for label, text in zip(labels, texts, strict=True):
-                label.setText(text)
+            for part, text in zip(labels, texts, strict=True):
+                part.setText(text)
 
     # --- choosing ------------------------------------------------------------------------------
 
@@ -387,14 +346,9 @@ class FitPanel(QWidget):
         if polyline is None or not polyline.points:
             return
         # While new clicks are fitted the rows are those of the clicks before.
-        point = row.point if row.point is not None and row.point < len(polyline.points) else None
-        if point is not None:
-            services.selection.select_point(row.class_name, point)
-        else:
-            services.selection.select_class(row.class_name)
-        if services.state.picture_size is not None:
-            x, y = points_px(polyline, services.state.picture_size)[point or 0]
-            services.store.events.flyTo.emit(float(x), float(y))
+        stays = row.point is not None and row.point < len(polyline.points)
+        point = row.point if stays else None
+        fly_to_point(services, services.state.annotation, row.class_name, point)
 
 
 def _chosen_words(fit: FitResult) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, SignalInstance
 from PySide6.QtGui import QAction, QColor, QIcon, QPalette, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QLineEdit,
@@ -17,13 +18,22 @@ from PySide6.QtWidgets import (
     QPushButton,
     QTreeWidget,
     QTreeWidgetItem,
-    QVBoxLayout,
-    QWidget,
 )
 
 from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import ask_to_delete
-from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE, empty_state, note_label, show_note
+from procc_annotator.gui.panels.widgets import (
+    LEFT_BY_ESCAPE,
+    Panel,
+    empty_state,
+    hbox,
+    make_button,
+    make_label,
+    named,
+    note_label,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count, word
@@ -45,19 +55,13 @@ _LOST = word("Its place cannot be brought back with undo. Clicks on it stay in t
 _SWATCH = 12
 
 
-class LandmarksPanel(QWidget):
+class LandmarksPanel(Panel):
     """Lists the landmarks; adds, places, names, triangulates and forgets them."""
 
-    left = Signal()  # the keyboard belongs to the canvas again
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("landmarks_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "landmarks_panel")
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (s.workspace, s.frame_index, s.annotation, s.field, s.selection),
             services.landmarks.changed,
         )
@@ -65,9 +69,7 @@ class LandmarksPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state(tr(_EMPTY), "landmarksEmpty")
-        self.list = QTreeWidget()
-        self.list.setObjectName("landmarksList")
-        self.list.setAccessibleName(tr("Landmarks"))
+        self.list = named(QTreeWidget(), "landmarksList", title=tr("Landmarks"))
         self.list.setHeaderLabels([tr(column) for column in _COLUMNS])
         self.list.setRootIsDecorated(False)
         self.list.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # as the list of findings
@@ -75,68 +77,52 @@ class LandmarksPanel(QWidget):
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.list.header().setStretchLastSection(True)
         self.list.currentItemChanged.connect(self._choose)
-        self.name = _line(tr("New landmark"), "landmarkName")
-        self.name.returnPressed.connect(self._add)
-        self.add = _button(tr("Add"), tr("Have a new landmark, to be clicked (Enter)"), self._add)
-        self.title = _line(tr("What people call it"), "landmarkTitle")
+        self.name = _line(tr("New landmark"), "landmarkName", self._add)
+        self.add = make_button(
+            tr("Add"), self._add, tip=tr("Have a new landmark, to be clicked (Enter)")
+        )
+        self.title = _line(tr("What people call it"), "landmarkTitle", self.left)
         self.title.editingFinished.connect(self._retitle)
-        self.title.returnPressed.connect(self.left)
-        self.place = _line(tr("x, y, z in metres, z down"), "landmarkPlace")
-        self.place.returnPressed.connect(self._survey)
-        self.survey = _button(
+        self.place = _line(tr("x, y, z in metres, z down"), "landmarkPlace", self._survey)
+        self.survey = make_button(
             tr("Set"),
-            tr("The place was measured: it stays as it is from now on (Enter)"),
             self._survey,
+            tip=tr("The place was measured: it stays as it is from now on (Enter)"),
         )
-        self.triangulate = _button(tr("Triangulate"), tr(_TRIANGULATE), self._triangulate)
-        self.remove = _button(
+        self.triangulate = make_button(tr("Triangulate"), self._triangulate, tip=tr(_TRIANGULATE))
+        self.remove = make_button(
             tr("Delete"),
-            tr("Forget this landmark; clicks on it stay in the annotations"),
             self._remove,
+            tip=tr("Forget this landmark; clicks on it stay in the annotations"),
         )
-        self.views = QListWidget()
-        self.views.setObjectName("landmarkViews")
-        self.views.setAccessibleName(tr(_HERE))
-        self.views.setToolTip(tr("Other views of this instant: go to one with a click"))
+        tip = tr("Other views of this instant: go to one with a click")
+        self.views = named(QListWidget(), "landmarkViews", tip=tip, title=tr(_HERE))
         self.views.itemClicked.connect(self._go)
         self.views.itemActivated.connect(self._go)
-        self.views_title = QLabel(tr(_HERE))
-        self.views_title.setWordWrap(True)
-        self.group = QPushButton()
-        self.group.setObjectName("landmarksGroup")
+        self.views_title = make_label(tr(_HERE), wrap=True)
+        self.group = named(QPushButton(), "landmarksGroup")
         self.note = note_label("landmarksNote")
         self.hint = note_label("landmarksHint")  # why Triangulate cannot be pressed
         self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        self._lay_out()
-
-    def _lay_out(self) -> None:
-        first = QHBoxLayout()
-        first.addWidget(self.name, 1)
-        first.addWidget(self.add)
         grid = QGridLayout()
         grid.addWidget(QLabel(tr("Title")), 0, 0)
         grid.addWidget(self.title, 0, 1, 1, 2)
         grid.addWidget(QLabel(tr("Place")), 1, 0)
         grid.addWidget(self.place, 1, 1)
         grid.addWidget(self.survey, 1, 2)
-        last = QHBoxLayout()
-        last.addWidget(self.triangulate)
-        last.addWidget(self.remove)
-        last.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.addWidget(self.note)
-        column.addWidget(self.empty, 2)
-        column.addWidget(self.list, 2)
-        column.addLayout(first)
-        column.addLayout(grid)
-        column.addLayout(last)
-        column.addWidget(self.hint)
-        above = QHBoxLayout()
-        above.addWidget(self.views_title, 1)
-        above.addWidget(self.group)
-        column.addLayout(above)
-        column.addWidget(self.views, 1)
+        vbox(
+            self.note,
+            (self.empty, 2),
+            (self.list, 2),
+            hbox((self.name, 1), self.add),
+            grid,
+            hbox(self.triangulate, self.remove, None),
+            self.hint,
+            hbox((self.views_title, 1), self.group),
+            (self.views, 1),
+            of=self,
+            margins=6,
+        )
 
     def add_actions(self, group: QAction) -> None:
         """Offer grouping next to the views."""
@@ -273,7 +259,7 @@ class LandmarksPanel(QWidget):
         self.views_title.setVisible(self._services.state.frame is not None)
         self.group.setVisible(self._services.state.frame is not None)
 
-    # --- hands ----------------------------------------------------------------------------
+    # --- editing --------------------------------------------------------------------------
 
     @property
     def _chosen(self) -> str | None:
@@ -355,16 +341,8 @@ def _show(line: QLineEdit, text: str) -> None:
         line.setCursorPosition(0)
 
 
-def _line(hint: str, name: str) -> QLineEdit:
-    line = QLineEdit(placeholderText=hint)
-    line.setObjectName(name)
-    line.setAccessibleName(hint)
+def _line(hint: str, name: str, entered: Callable[[], object] | SignalInstance) -> QLineEdit:
+    line = named(QLineEdit(placeholderText=hint), name, title=hint)
     line.setProperty(LEFT_BY_ESCAPE, True)
+    line.returnPressed.connect(entered)
     return line
-
-
-def _button(text: str, tip: str, slot: object) -> QPushButton:
-    button = QPushButton(text)
-    button.setToolTip(tip)
-    button.clicked.connect(slot)
-    return button

@@ -4,23 +4,27 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
     QLabel,
-    QLineEdit,
     QListWidget,
     QListWidgetItem,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
 )
 
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
-from procc_annotator.gui.panels.widgets import note_label, show_note
+from procc_annotator.gui.panels.widgets import (
+    Panel,
+    hbox,
+    make_button,
+    make_label,
+    named,
+    note_label,
+    search_line,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import as_sentence, no_frame
 from procc_annotator.gui.state.services import Services
@@ -39,7 +43,6 @@ _BLIND_WORDS = {
     BlindStatus.BLIND: word("Committed in blind mode, and as it was then."),
     BlindStatus.EDITED: word("Edited after the cameras were shown."),
 }
-_TEXT_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
 
 
 class CommentList(QListWidget):
@@ -47,15 +50,11 @@ class CommentList(QListWidget):
     its name."""
 
 
-class ReviewPanel(QWidget):
+class ReviewPanel(Panel):
     """Shows and changes what the workspace's database knows about the frame on screen."""
 
-    left = Signal()  # the keyboard belongs to the canvas again
-
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("review_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "review_panel")
         self._shown: tuple[Comment, ...] = ()
         self._build()
         self._typed: dict[str, str] = {}  # comments under way, by frame
@@ -63,9 +62,7 @@ class ReviewPanel(QWidget):
         services.store.watch(select.dataset, self._begin_dataset)
         services.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (s.workspace, s.frame_index, s.annotation),
             services.review.statusChanged,
             services.review.originsChanged,
@@ -78,8 +75,7 @@ class ReviewPanel(QWidget):
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _build(self) -> None:
-        self.status = QComboBox()
-        self.status.setObjectName("reviewStatus")
+        self.status = named(QComboBox(), "reviewStatus")
         for status in Status:
             said = tr(status.value, "a frame")
             self.status.addItem(f"{said[:1].upper()}{said[1:]}", status)
@@ -87,20 +83,12 @@ class ReviewPanel(QWidget):
                 self.status.count() - 1, tr(STATUS_TIPS[status]), Qt.ItemDataRole.ToolTipRole
             )
         self.status.activated.connect(self._choose)
-        self.time = QLabel()
-        self.time.setToolTip(tr("Time worked on this frame; pauses over 30 s do not count"))
-        first = QHBoxLayout()
-        first.addWidget(self.status, 1)
-        first.addWidget(self.time)
+        self.time = make_label(tip=tr("Time worked on this frame; pauses over 30 s do not count"))
         self.blind = note_label("reviewBlind")
-        self.origins = QLabel()
-        self.origins.setObjectName("reviewOrigins")
-        self.origins.setWordWrap(True)
+        tip = tr("How the points of this frame came to be")
+        self.origins = make_label(name="reviewOrigins", wrap=True, tip=tip)
         self.origins.setTextFormat(Qt.TextFormat.RichText)
-        self.origins.setToolTip(tr("How the points of this frame came to be"))
-        self.comments = CommentList()
-        self.comments.setObjectName("reviewThread")
-        self.comments.setAccessibleName(tr("Comments"))
+        self.comments = named(CommentList(), "reviewThread", title=tr("Comments"))
         self.comments.setWordWrap(True)
         self.comments.setSpacing(3)
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
@@ -108,25 +96,21 @@ class ReviewPanel(QWidget):
         self.comments.itemChanged.connect(self._settle)
         self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text = QLineEdit(placeholderText=tr("Comment on this frame"))
-        self.text.setObjectName("reviewText")
-        self.text.setAccessibleName(tr("Comment on this frame"))
-        self.text.returnPressed.connect(self._send)
-        self.text.installEventFilter(self)
-        self.send = QPushButton(tr("Add"))
-        self.send.setToolTip(tr("Add the comment to the thread (Enter)"))
-        self.send.clicked.connect(self._send)
-        last = QHBoxLayout()
-        last.addWidget(self.text, 1)
-        last.addWidget(self.send)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.addLayout(first)
-        layout.addWidget(self.blind)
-        layout.addWidget(self.origins)
-        layout.addWidget(self.empty, 1)
-        layout.addWidget(self.comments, 1)
-        layout.addLayout(last)
+        hint = tr("Comment on this frame")
+        self.text = search_line(hint, "reviewText", keys=self._text_key)
+        self.text.setClearButtonEnabled(False)
+        tip = tr("Add the comment to the thread (Enter)")
+        self.send = make_button(tr("Add"), self._send, tip=tip)
+        vbox(
+            hbox((self.status, 1), self.time),
+            self.blind,
+            self.origins,
+            (self.empty, 1),
+            (self.comments, 1),
+            hbox((self.text, 1), self.send),
+            of=self,
+            margins=6,
+        )
 
     # --- showing --------------------------------------------------------------------------
 
@@ -239,15 +223,11 @@ class ReviewPanel(QWidget):
         resolved = item.checkState() is Qt.CheckState.Checked
         self._services.review.resolve_comment(comment, resolved)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self.text and isinstance(event, QKeyEvent) and event.key() in _TEXT_KEYS:
-            if event.type() == QEvent.Type.ShortcutOverride:
-                event.accept()  # here Enter sends the comment, it does not finish a polyline
-                return True
-            if event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_Escape:
-                self.left.emit()
-                return True
-        return super().eventFilter(watched, event)
+    def _text_key(self, key: Qt.Key) -> None:
+        if key == Qt.Key.Key_Escape:
+            self.left.emit()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._send()
 
 
 def _duration(seconds: float) -> str:

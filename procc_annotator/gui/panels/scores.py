@@ -3,46 +3,48 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, Qt
 from PySide6.QtGui import QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QSizePolicy,
-    QStackedLayout,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import FaultParty
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
+    TitleDelegate,
     class_title,
+    fly_to_point,
     symbol_icon,
     words_for,
 )
-from procc_annotator.gui.panels.tables import (
-    RIGHT,
+from procc_annotator.gui.panels.widgets import (
+    NARROW,
     ElementRowsModel,
     ElementTable,
     Index,
-    TitleDelegate,
-)
-from procc_annotator.gui.panels.widgets import (
-    NARROW,
+    Pages,
+    Panel,
     ScrolledContent,
-    empty_state,
+    hbox,
+    make_label,
+    named,
     note_label,
     scrolling,
     show_note,
+    vbox,
 )
 from procc_annotator.gui.state import availability
 from procc_annotator.gui.state.selectors import judged
@@ -74,39 +76,24 @@ class ScoreRow(NamedTuple):
     """One line of the table; compared to find changed lines."""
 
     class_name: str
-    counted_as: str
     title: str
     state: ElementState
-    point: str
-    worst: str
-    passes: str
-    why: str
+    element: ScoreExplanation
+    cells: tuple[str, ...]  # title, status, deciding point, worst distance, smallest passing tau
 
 
-def score_rows(
-    score: FrameScore, measurement: Measurement, field: Field
-) -> tuple[list[ScoreRow], list[ScoreExplanation]]:
+def score_rows(score: FrameScore, measurement: Measurement, field: Field) -> list[ScoreRow]:
     """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
-    elements = list(worst_elements_first(explain_score(score, measurement, field)))
     rows = []
-    for element in elements:
+    for element in worst_elements_first(explain_score(score, measurement, field)):
         name = element.annotated_name or element.name
+        state, title = ElementState(element.status), class_title(field, name)
         deciding = element.deciding_px
         worst = "" if deciding is None else px_text(deciding, score.threshold)
         point = "" if element.deciding_point is None else str(element.deciding_point + 1)
-        rows.append(
-            ScoreRow(
-                name,
-                element.name,
-                class_title(field, name),
-                ElementState(element.status),
-                point,
-                worst,
-                _passes_from(element.passes_above),
-                element.sentence,
-            )
-        )
-    return rows, elements
+        cells = (title, words_for(state), point, worst, _passes_from(element.passes_above))
+        rows.append(ScoreRow(name, title, state, element, cells))
+    return rows
 
 
 def _passes_from(distance: float | None) -> str:
@@ -122,51 +109,24 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, POINT)
-        self._view = view  # whose colours the symbols have
-        self.elements: list[ScoreExplanation] = []
+        self._view = view  # the symbols have its colours
 
-    def show(self, rows: list[ScoreRow], elements: list[ScoreExplanation]) -> None:
-        """Replace the rows."""
-        self.elements = elements
-        self.replace(rows)
+    def texts(self, row: ScoreRow) -> Sequence[str]:
+        return row.cells
+
+    def tip(self, row: ScoreRow) -> str:
+        lines = [row.title, row.element.sentence, tr(EXPLANATIONS[row.state])]
+        if row.element.name != row.class_name:
+            lines.append(tr("Counts as {class_name}", class_name=row.element.name))
+        return "\n".join(lines)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        row, column = self.rows[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            return (row.title, words_for(row.state), row.point, row.worst, row.passes)[column]
-        if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
+        row = self.rows[index.row()]
+        if role == Qt.ItemDataRole.DecorationRole and index.column() == ELEMENT:
             return symbol_icon(row.state, self._view)
-        if role == Qt.ItemDataRole.TextAlignmentRole and column >= POINT:
-            return RIGHT
-        if role == Qt.ItemDataRole.ToolTipRole:
-            lines = [row.title, row.why, tr(EXPLANATIONS[row.state])]
-            if row.counted_as != row.class_name:
-                lines.append(tr("Counts as {class_name}", class_name=row.counted_as))
-            return "\n".join(lines)
         if role == Qt.ItemDataRole.AccessibleDescriptionRole:
-            return row.why
-        return None
-
-
-def _samples() -> dict[int, str]:
-    """Return what the columns have room for."""
-    states = max(map(words_for, ElementState), key=len)
-    return {
-        STATUS: f"{states} ",
-        POINT: f"{tr('Point')}  ",
-        WORST: max("88.88 ", f"{tr('Worst')} ", key=len),
-        PASSES: f"{tr('Passes at')}  ",
-    }
-
-
-def score_table(model: ScoreTableModel) -> ElementTable:
-    """The view of the rows; what is left out of a title is its middle."""
-    table = ElementTable("scores_table", model, _samples())
-    table.setAccessibleName(tr("Scores by element"))
-    table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
-    table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-    table.setMouseTracking(True)
-    return table
+            return row.element.sentence
+        return super().data(index, role)
 
 
 _WORDS = {
@@ -185,39 +145,28 @@ _KEYS = {FaultParty.CAMERA: "F7", FaultParty.ANNOTATION: "F8", FaultParty.FINE: 
 class VerdictRow(QWidget):
     """Shows the verdict on the frame under the active source; a click asks the window to mark."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__()
         self._services = services
         self.buttons: dict[FaultParty, QToolButton] = {}
-        row = QHBoxLayout()
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(3)
-        caption = QLabel(tr("Fault"))
-        caption.setToolTip(tr("Whose fault the score of this frame is; kept with the dataset"))
-        row.addWidget(caption)
+        tip = tr("Whose fault the score of this frame is; kept with the dataset")
+        buttons = hbox(make_label(tr("Fault"), tip=tip), spacing=3)
         for fault in FaultParty:
-            button = QToolButton()
-            button.setCheckable(True)
-            button.setObjectName(f"scores_verdict_{fault}")
             words = tr(_WORDS[fault], "a verdict")
-            button.setText(words)
-            button.setAccessibleName(tr("Verdict: {verdict}", verdict=words))
-            button.setToolTip(
-                tr(
-                    "{verdict}; once more takes it back ({key})",
-                    verdict=tr(_TIPS[fault]),
-                    key=_KEYS[fault],
-                )
+            tip = tr(
+                "{verdict}; once more takes it back ({key})",
+                verdict=tr(_TIPS[fault]),
+                key=_KEYS[fault],
             )
+            button = QToolButton()
+            button.setText(words)
+            button.setCheckable(True)
+            title = tr("Verdict: {verdict}", verdict=words)
+            self.buttons[fault] = named(button, f"scores_verdict_{fault}", tip=tip, title=title)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self.buttons[fault] = button
-            row.addWidget(button, 1)
+            buttons.addWidget(button, 1)
         self.note = note_label("scores_verdict_note")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(2)
-        layout.addLayout(row)
-        layout.addWidget(self.note)
+        vbox(buttons, self.note, of=self, spacing=2, margins=0)
 
     def refresh(self) -> None:
         """Show what is known now."""
@@ -248,54 +197,46 @@ _FIGURES = (
 )
 
 
-class ScoresPanel(QWidget):
+class ScoresPanel(Panel):
     """Displays the state's score; a click on an element flies to the point that decides."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("scores_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "scores_panel", (300, 360))
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.selection, s.noise_floor, s.look_of(s.active)),
             services.review.statusChanged,
             services.source_frames.changed,
         )
 
-    def sizeHint(self) -> QSize:
-        return QSize(300, 360)
-
     # --- building ------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.empty = empty_state("", "scores_empty")
-        content = ScrolledContent()
-        layout = QVBoxLayout(content)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.setSpacing(6)
-        layout.addLayout(self._build_headline())
-        layout.addLayout(self._build_figures())
         self.terms = note_label("scores_terms")
         self.mirrored = note_label("scores_mirrored")
-        layout.addWidget(self.terms)
-        layout.addWidget(self.mirrored)
         self.verdict = VerdictRow(self._services)
-        layout.addWidget(self.verdict)
-        layout.addLayout(self._build_table(), 1)
-        self._stack = QStackedLayout(self)
-        self._stack.addWidget(self.empty)
-        self._stack.addWidget(scrolling(content))
+        content = ScrolledContent()
+        vbox(
+            self._build_headline(),
+            self._build_figures(),
+            self.terms,
+            self.mirrored,
+            self.verdict,
+            (self._build_table(), 1),
+            of=content,
+            spacing=6,
+            margins=6,
+        )
+        self._pages = Pages(scrolling(content), "scores_empty")
+        self.empty = self._pages.empty
+        vbox(self._pages, of=self, margins=0)
 
     def _build_headline(self) -> QHBoxLayout:
-        self.jac = QLabel()
-        self.jac.setObjectName("scores_jac")
-        self.jac.setFont(fixed_width(self.font(), 2.2, bold=True))
-        self.at_tau = QLabel()
-        self.at_tau.setObjectName("scores_tau")
+        font = fixed_width(self.font(), 2.2, bold=True)
+        self.jac = make_label(name="scores_jac", font=font)
+        self.at_tau = make_label(name="scores_tau")
         counts = QGridLayout()
         counts.setHorizontalSpacing(14)
         counts.setVerticalSpacing(0)
@@ -306,19 +247,10 @@ class ScoresPanel(QWidget):
         }
         for column, (key, (title, tip)) in enumerate(tips.items()):
             self._counts[key] = _figure(f"scores_{key}", tip)
-            self._counts[key].setAlignment(Qt.AlignmentFlag.AlignCenter)
-            caption = _caption(title, tip, Qt.AlignmentFlag.AlignCenter)
-            counts.addWidget(self._counts[key], 0, column)
-            counts.addWidget(caption, 1, column)
-        headline = QHBoxLayout()
-        name = QVBoxLayout()
-        name.setSpacing(0)
-        name.addWidget(self.jac)
-        name.addWidget(self.at_tau)
-        headline.addLayout(name)
-        headline.addStretch(1)
-        headline.addLayout(counts)
-        return headline
+            for line, part in enumerate((self._counts[key], make_label(title, tip=tip))):
+                part.setAlignment(Qt.AlignmentFlag.AlignCenter)
+                counts.addWidget(part, line, column)
+        return hbox(vbox(self.jac, self.at_tau, spacing=0), None, counts)
 
     def _build_figures(self) -> QGridLayout:
         grid = QGridLayout()
@@ -327,10 +259,9 @@ class ScoresPanel(QWidget):
         for i, (key, title, tip) in enumerate(_FIGURES):
             tip = tr(tip)
             row, column = (0, i) if i < 2 else (1, i - 2)
-            value = self._figures[key] = _figure(f"scores_{key}", tip)
-            caption = _caption(tr(title), tip)
-            grid.addWidget(caption, 2 * row, column)
-            grid.addWidget(value, 2 * row + 1, column)
+            self._figures[key] = _figure(f"scores_{key}", tip)
+            grid.addWidget(make_label(tr(title), tip=tip), 2 * row, column)
+            grid.addWidget(self._figures[key], 2 * row + 1, column)
         for column in range(3):
             grid.setColumnStretch(column, 1)
         return grid
@@ -338,13 +269,24 @@ class ScoresPanel(QWidget):
     def _build_table(self) -> QVBoxLayout:
         """The table, and below it why the chosen element counts as it does."""
         self.model = ScoreTableModel(self)
-        self.table = score_table(self.model)
+        self.table = ElementTable(
+            "scores_table",
+            self.model,
+            {
+                STATUS: f"{max(map(words_for, ElementState), key=len)} ",
+                POINT: f"{tr('Point')}  ",
+                WORST: max("88.88 ", f"{tr('Worst')} ", key=len),
+                PASSES: f"{tr('Passes at')}  ",
+            },
+        )
+        self.table.setAccessibleName(tr("Scores by element"))
+        self.table.setItemDelegateForColumn(ELEMENT, TitleDelegate(self.table))
+        self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.table.setMouseTracking(True)
         self.table.chosen.connect(self._fly)
         self.table.entered.connect(self._hover)
         self.table.viewport().installEventFilter(self)
-        self.why = QLabel()
-        self.why.setObjectName("scores_why")
-        self.why.setWordWrap(True)
+        self.why = make_label(name="scores_why", wrap=True)
         self.why.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.why.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.why.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
@@ -354,19 +296,14 @@ class ScoresPanel(QWidget):
         copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
         self.table.addAction(tr("Copy all explanations"), self._copy_all)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        layout = QVBoxLayout()
-        layout.setSpacing(4)
-        layout.addWidget(self.table, 1)
-        layout.addWidget(self.why)
-        return layout
+        return vbox((self.table, 1), self.why, spacing=4)
 
     # --- showing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
         score = self._services.scorer.score
         if score is None or self._services.state.why_not_judged:
-            self.empty.setText(self._why_empty())
-            self._stack.setCurrentIndex(0)
+            self._pages.explain(self._why_empty())
             return
         self._show_figures(score)
         active = self._services.state.active
@@ -374,9 +311,9 @@ class ScoresPanel(QWidget):
         self.verdict.refresh()
         measurement = self._services.scorer.measurement
         if measurement is not None:
-            self.model.show(*score_rows(score, measurement, measurement.setup.field))
+            self.model.replace(score_rows(score, measurement, measurement.setup.field))
             self._show_selection()
-        self._stack.setCurrentIndex(1)
+        self._pages.explain("")
 
     def _why_empty(self) -> str:
         services, state = self._services, self._services.state
@@ -432,9 +369,7 @@ class ScoresPanel(QWidget):
 
     def _show_selection(self) -> None:
         row = self.table.show_chosen(self._services.state.selected_class)
-        why = self.model.rows[row].why if row >= 0 else tr(_CHOOSE)
-        if self.why.text() != why:
-            self.why.setText(why)
+        self.why.setText(self.model.rows[row].element.sentence if row >= 0 else tr(_CHOOSE))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.table.setColumnHidden(STATUS, event.size().width() < NARROW)
@@ -455,32 +390,26 @@ class ScoresPanel(QWidget):
     def _copy_one(self) -> None:
         row = self.table.currentIndex().row()
         if 0 <= row < len(self.model.rows):
-            QGuiApplication.clipboard().setText(self.model.rows[row].why)
+            QGuiApplication.clipboard().setText(self.model.rows[row].element.sentence)
 
     def _copy_all(self) -> None:
-        QGuiApplication.clipboard().setText("\n".join(row.why for row in self.model.rows))
+        sentences = (row.element.sentence for row in self.model.rows)
+        QGuiApplication.clipboard().setText("\n".join(sentences))
 
     def _fly(self, at: int) -> None:
-        row, element = self.model.rows[at], self.model.elements[at]
-        if element.deciding_point is not None:
-            self._services.selection.select_point(row.class_name, element.deciding_point)
-        else:
-            self._services.selection.select_class(row.class_name)
-        target = self._target(row.class_name, element)
-        if target is not None:
-            self._services.store.events.flyTo.emit(*target)
+        row = self.model.rows[at]
+        element, services = row.element, self._services
+        annotation, point = services.state.shown_annotation, element.deciding_point
+        if not fly_to_point(services, annotation, row.class_name, point):
+            target = self._middle_of(element)
+            if target is not None:
+                services.store.events.flyTo.emit(*target)
 
-    def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
-        """Return where the verdict is decided, picture px: a point, or the middle of a
-        projection."""
-        size = self._services.state.picture_size
-        measurement = self._services.scorer.measurement
+    def _middle_of(self, element: ScoreExplanation) -> tuple[float, float] | None:
+        """Return the middle of an element's projection, px of the picture."""
+        size, measurement = self._services.state.picture_size, self._services.scorer.measurement
         if size is None or measurement is None:
             return None
-        polyline = self._services.state.shown_annotation.get(class_name)
-        if polyline is not None and polyline.points:
-            x, y = points_px(polyline, size)[element.deciding_point or 0]
-            return float(x), float(y)
         pieces = measurement.projected.pieces.get(element.name, ())
         if not pieces:
             return None
@@ -494,17 +423,7 @@ class ScoresPanel(QWidget):
 
 
 def _figure(name: str, tip: str) -> QLabel:
-    label = _caption("–", tip)
-    label.setObjectName(name)
-    label.setFont(fixed_width(label.font(), bold=True))
-    label.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
-    return label
-
-
-def _caption(
-    text: str, tip: str, alignment: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft
-) -> QLabel:
-    label = QLabel(text)
-    label.setToolTip(tip)
-    label.setAlignment(alignment)
-    return label
+    made = make_label("–", name, tip=tip)
+    made.setFont(fixed_width(made.font(), bold=True))
+    made.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
+    return made

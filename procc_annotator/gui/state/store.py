@@ -32,17 +32,33 @@ class When(IntEnum):
 
 
 class _TracedState:
-    """A state as a selection reads it: notes the names of the fields that are read."""
+    """A state as selections read it: notes the names of the fields that are read."""
 
-    def __init__(self, state: State) -> None:
-        self._state = state
-        self.fields: set[str] = set()
+    def __init__(self, state: State, number: int) -> None:
+        self._state, self.number = state, number
+        self._read: dict[str, tuple[object, set[str]]] = {}
+        self._fields: set[str] = set()
+
+    def evaluate(self, select: Callable[[State], object]) -> tuple[object, set[str]]:
+        """Return a selection and the fields that it depends on."""
+        before, self._fields = self._fields, set()
+        value, fields = select(cast(State, self)), self._fields
+        self._fields = before
+        return value, fields
 
     def __getattr__(self, name: str) -> object:
-        if name in _FIELDS:
-            self.fields.add(name)
-            return getattr(self._state, name)
-        return getattr(State, name).__get__(self)  # a property, or a method
+        found = self._read.get(name)
+        if found is None:
+            attribute = getattr(State, name)
+            if name in _FIELDS:
+                found = getattr(self._state, name), {name}
+            elif isinstance(attribute, property):
+                found = self.evaluate(attribute.__get__)
+            else:
+                return attribute.__get__(self)  # a method; what it reads is noted as it reads it
+            self._read[name] = found
+        self._fields |= found[1]
+        return found[0]
 
 
 class _Selection:
@@ -51,22 +67,16 @@ class _Selection:
     It is a pure function: as long as the fields that it read are the same, so is its value.
     """
 
-    def __init__(self, select: Callable[[State], object], state: State) -> None:
-        self._select, self._state = select, state
+    def __init__(self, select: Callable[[State], object], state: _TracedState) -> None:
+        self._select, self._seen = select, state.number
         self._version = 0
-        self._value = self._evaluate()
+        self._value, self.fields = state.evaluate(select)
 
-    def _evaluate(self) -> object:
-        traced = _TracedState(self._state)
-        value = self._select(cast(State, traced))
-        self.fields = traced.fields
-        return value
-
-    def version(self, state: State) -> int:
+    def version(self, state: _TracedState) -> int:
         """Return a number that differs if the selection does."""
-        if state is not self._state:
-            self._state = state
-            value = self._evaluate()
+        if state.number != self._seen:
+            self._seen = state.number
+            value, self.fields = state.evaluate(self._select)
             if not same(value, self._value):
                 self._value = value
                 self._version += 1
@@ -77,7 +87,7 @@ class _Watch:
     """Calls back if its selection of the state differs from the one of the last call."""
 
     def __init__(
-        self, selection: _Selection, callback: Callable[[], object], when: When, state: State
+        self, selection: _Selection, callback: Callable[[], object], when: When, state: _TracedState
     ) -> None:
         self._selection, self.when = selection, when
         self._callback = WeakMethod(callback) if ismethod(callback) else lambda: callback
@@ -87,7 +97,7 @@ class _Watch:
         """Return whether the selection may differ after a change of these fields."""
         return not self._selection.fields.isdisjoint(fields)
 
-    def check(self, state: State) -> bool:
+    def check(self, state: _TracedState) -> bool:
         """Call back if the selection has changed; return False once the owner is gone."""
         version = self._selection.version(state)
         if version == self._version:
@@ -110,7 +120,7 @@ class _Current:
         """Return whether the value may differ after a change of these fields."""
         return True
 
-    def check(self, state: State) -> bool:
+    def check(self, state: _TracedState) -> bool:
         """Invalidate; return False once the value is deleted."""
         if not shiboken6.isValid(self._value):
             return False
@@ -135,6 +145,7 @@ class Store(QObject):
         self.events = Events(self)
         self.score: Callable[[State, State], object] = lambda before, after: None
         self._state = self._scored = self._notified = state
+        self._traced = _TracedState(state, 0)
         self._selections: dict[Callable[[State], object], _Selection] = {}
         self._watches: list[_Watch | _Current] = []
         self._transactions = 0
@@ -163,6 +174,7 @@ class Store(QObject):
             for changed in self._changed:
                 changed.update(other)
             self._state = replace(before, **other)
+            self._traced = _TracedState(self._state, self._traced.number + 1)
             self._notify()
 
     @contextmanager
@@ -191,8 +203,8 @@ class Store(QObject):
             when: when to call.
         """
         if select not in self._selections:
-            self._selections[select] = _Selection(select, self._state)
-        self._watches.append(_Watch(self._selections[select], callback, when, self._state))
+            self._selections[select] = _Selection(select, self._traced)
+        self._watches.append(_Watch(self._selections[select], callback, when, self._traced))
 
     def watch_visible(
         self,
@@ -261,7 +273,7 @@ class Store(QObject):
         finished = False
         try:
             for watch in watches:
-                if not watch.check(self._state):
+                if not watch.check(self._traced):
                     self._watches.remove(watch)
             finished = True
         finally:

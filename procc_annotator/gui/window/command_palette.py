@@ -9,21 +9,26 @@ from itertools import islice
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QPalette
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHeaderView,
-    QLabel,
-    QLineEdit,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.gui.actions import ACTIONS
-from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.tables import Index, RowsModel, list_rows
+from procc_annotator.gui.keymap import NATIVE, key_text
+from procc_annotator.gui.panels.widgets import (
+    Index,
+    RowsModel,
+    list_rows,
+    make_label,
+    named,
+    search_line,
+    vbox,
+)
 from procc_annotator.gui.settings import CALLED, OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.services import Services
@@ -38,7 +43,7 @@ from procc_annotator.translation import tr, word
 _CAMERAS, _PANEL, _SETTING, _OPEN = word("Cameras"), word("Panel"), word("Setting"), word("Open")
 _ELEMENT, _FRAME, _CAMERA = word("Element"), word("Frame"), word("Camera")
 
-_MOST_FRAMES = 30  # that are listed of those whose names fit
+_MOST_FRAMES = 30  # that are listed of those with a fitting name
 _BY_DETAIL = 10  # the rank of what fits by what is said of it, behind all that fit by name
 _SELF = "palette"  # the action that shows the list, which need not be in it
 
@@ -48,23 +53,23 @@ class Entry:
     """One thing that can be called.
 
     Attributes:
-        key: what it is remembered by as called last; "" for things of one dataset.
         kind: what sort of thing it is, its menu or another sort, marked by ``word``.
         title: its name, as menus and panels have it.
+        run: calls it.
         detail: what it does, or where it lies.
         keys: what else calls it, as people write it.
-        run: calls it.
+        key: what it is remembered by as called last; "" for things of one dataset.
         on: whether it is on; None for what is neither.
         enabled: whether it can be called now.
         english: its name in English, which finds it whatever the language.
     """
 
-    key: str
     kind: str
     title: str
-    detail: str
-    keys: str
     run: Callable[[], object]
+    detail: str
+    keys: str = ""
+    key: str = ""
     on: bool | None = None
     enabled: bool = True
     english: str = ""
@@ -122,12 +127,12 @@ class PaletteEntries:
             action, place = self._actions[spec.name], spec.menu.partition("/")[2]
             english = spec.text.lstrip("-")
             yield Entry(
-                f"action:{spec.name}",  # not shown
                 spec.menu.split("/")[0],
                 in_menu(spec.menu, action.text()),
-                tr(spec.tip),
-                _keys_of(action),
                 action.trigger,
+                tr(spec.tip),
+                "  ".join(keys.toString(NATIVE) for keys in action.shortcuts()),
+                f"action:{spec.name}",  # not shown
                 action.isChecked() if action.isCheckable() else None,
                 action.isEnabled(),
                 f"{place}: {english}" if place else english,
@@ -139,20 +144,19 @@ class PaletteEntries:
         yield from self._of_panels()
         yield from self._of_settings()
         for path in self._settings.get(RECENT):
-            yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
+            yield Entry(_OPEN, described(path), partial(self._open_path, path), str(path))
 
     def _of_elements(self) -> Iterator[Entry]:
         services = self._services
         field = services.state.field
         for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
             yield Entry(
-                "",
                 _ELEMENT,
                 tr(field.title_of(name)),
+                partial(services.selection.select_class, name, continues=True),
                 name,
                 key_text(field, name, services.state.keymap),
-                partial(services.selection.select_class, name, continues=True),
-                services.state.selected_class == name,
+                on=services.state.selected_class == name,
                 english=field.title_of(name),
             )
 
@@ -160,36 +164,32 @@ class PaletteEntries:
         services = self._services
         for index, source in enumerate(services.state.sources):
             yield Entry(
-                "",
                 _CAMERAS,
                 tr("Judge {source}", source=source.name),
-                tr("Judge with this source"),
-                "",
                 partial(services.camera_sources.set_active_camera, index),
-                source is services.state.active,
+                tr("Judge with this source"),
+                on=source is services.state.active,
                 english=f"Judge {source.name}",  # not shown
             )
         for model in MODELS:
             yield Entry(
-                f"model:{model}",  # not shown
                 _CAMERA,
                 tr("Live fit: model {model}", model=model),
-                tr("Fit this model to the clicks; auto takes the simplest that they support"),
-                "",
                 partial(services.live_fit.set_model, model),
-                services.live_fit.model == model,
+                tr("Fit this model to the clicks; auto takes the simplest that they support"),
+                key=f"model:{model}",  # not shown
+                on=services.live_fit.model == model,
                 english=f"Live fit: model {model}",  # not shown
             )
 
     def _of_panels(self) -> Iterator[Entry]:
         for name, title in TITLES.items():
             yield Entry(
-                f"panel:{name}",  # not shown
                 _PANEL,
                 tr("Panel {title}", title=tr(title)),
-                tr("Open this panel and bring it to the front"),
-                "",
                 partial(self._show_panel, name),
+                tr("Open this panel and bring it to the front"),
+                key=f"panel:{name}",  # not shown
                 english=f"Panel {title}",  # not shown
             )
 
@@ -197,12 +197,11 @@ class PaletteEntries:
         for setting in OFFERED:
             if setting.shown is not None and setting.key not in SWITCHES:  # those are actions
                 yield Entry(
-                    f"setting:{setting.key}",  # not shown
                     _SETTING,
                     f"{tr(setting.shown.title)}…",
-                    tr(setting.text),
-                    "",
                     partial(self._show_setting, setting.key),
+                    tr(setting.text),
+                    key=f"setting:{setting.key}",  # not shown
                     english=f"{setting.shown.title}…",
                 )
 
@@ -214,15 +213,10 @@ class PaletteEntries:
         except ValueError:
             return
         if 0 < number <= 100:
-            yield Entry(
-                "",
-                _CAMERA,
-                tr("Threshold {px:g} px", px=number),
-                tr("Judge elements by this tau"),
-                "",
-                lambda: services.evaluation.set_tau(number),
-                services.state.tau == number,
-            )
+            title = tr("Threshold {px:g} px", px=number)
+            set_tau = partial(services.evaluation.set_tau, number)
+            tip, on = tr("Judge elements by this tau"), services.state.tau == number
+            yield Entry(_CAMERA, title, set_tau, tip, on=on)
         count = len(services.state.workspace.frames) if services.state.workspace is not None else 0
         if number.is_integer() and 1 <= number <= count:
             index = int(number) - 1
@@ -230,7 +224,7 @@ class PaletteEntries:
             yield self._frame(index, title)
 
     def _of_frames(self, text: str) -> Iterator[Entry]:
-        """Frames whose names hold every word."""
+        """Frames with every word in their names."""
         workspace = self._services.state.workspace
         wanted = text.casefold().split()
         for index, frame in enumerate(workspace.frames if workspace is not None else ()):
@@ -242,15 +236,9 @@ class PaletteEntries:
         services = self._services
         assert services.state.workspace is not None
         name = services.state.workspace.frames[index].name
-        return Entry(
-            "",
-            _FRAME,
-            title,
-            name if name != title else tr("Go to this frame"),
-            "",
-            lambda: services.navigator.go_to(index),
-            index == services.state.frame_index,
-        )
+        go = partial(services.navigator.go_to, index)
+        detail = name if name != title else tr("Go to this frame")
+        return Entry(_FRAME, title, go, detail, on=index == services.state.frame_index)
 
 
 def _rank(text: str, entry: Entry) -> int | None:
@@ -262,11 +250,6 @@ def _rank(text: str, entry: Entry) -> int | None:
     if match_rank(text, f"{entry.kind} {' '.join(entry.names)} {entry.detail}") is not None:
         return _BY_DETAIL
     return None
-
-
-def _keys_of(action: QAction) -> str:
-    native = QKeySequence.SequenceFormat.NativeText
-    return "  ".join(keys.toString(native) for keys in action.shortcuts())
 
 
 _WIDTH = 680
@@ -299,19 +282,12 @@ class CommandPalette(QFrame):
         self.setAutoFillBackground(True)
         self._found, self._settings = found, settings
         self._before: QWidget | None = None  # who had the keyboard
-        self.search = QLineEdit()
-        self.search.setObjectName("paletteSearch")
-        self.search.setPlaceholderText(
-            tr("An action, element, frame, camera source, folder, number")
-        )
-        self.search.setAccessibleName(tr("Find anything"))
-        self.search.setClearButtonEnabled(True)
-        self.search.textChanged.connect(self._show)
+        hint = tr("An action, element, frame, camera source, folder, number")
+        title = tr("Find anything")
+        self.search = search_line(hint, "paletteSearch", self._show, title)
         self.search.installEventFilter(self)
         self.model = _Entries()
-        self.list = QTableView()
-        self.list.setObjectName("paletteList")
-        self.list.setAccessibleName(tr("What fits"))
+        self.list = named(QTableView(), "paletteList", title=tr("What fits"))
         self.list.setModel(self.model)
         list_rows(self.list, room=_PAD)
         self.list.setFrameShape(QFrame.Shape.NoFrame)
@@ -323,12 +299,8 @@ class CommandPalette(QFrame):
         columns.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         columns.setSectionResizeMode(_DETAIL, QHeaderView.ResizeMode.Stretch)
         self.list.clicked.connect(self._call)
-        self.hint = QLabel(tr(_HINT))
-        self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(_PAD, _PAD, _PAD, _PAD)
-        for part in (self.search, self.list, self.hint):
-            layout.addWidget(part)
+        self.hint = make_label(tr(_HINT), faint=True)
+        vbox(self.search, self.list, self.hint, of=self, margins=_PAD)
         window.installEventFilter(self)
         application = QApplication.instance()
         assert isinstance(application, QApplication)
@@ -387,7 +359,7 @@ class CommandPalette(QFrame):
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
         if self.isVisible() and new is not None and not self.isAncestorOf(new):
-            self._before = None  # somebody went elsewhere by hand
+            self._before = None  # the user clicked elsewhere
             self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -397,7 +369,9 @@ class CommandPalette(QFrame):
             return False
         if watched is not self.search or not isinstance(event, QKeyEvent):
             return False
-        if event.type() == QEvent.Type.ShortcutOverride and not _calls_palette(event):
+        held = event.modifiers() == Qt.KeyboardModifier.ControlModifier
+        calls_palette = held and event.key() == Qt.Key.Key_K
+        if event.type() == QEvent.Type.ShortcutOverride and not calls_palette:
             event.accept()  # every key is the line's, or it would do something unseen below it
             return True
         return event.type() == QEvent.Type.KeyPress and self._key(Qt.Key(event.key()))
@@ -417,11 +391,6 @@ class CommandPalette(QFrame):
         return True
 
 
-def _calls_palette(event: QKeyEvent) -> bool:
-    held = event.modifiers() == Qt.KeyboardModifier.ControlModifier
-    return held and event.key() == Qt.Key.Key_K
-
-
 class _Entries(RowsModel[Entry]):
     """Entries as kind, title, detail and keys; screen readers get all of them."""
 
@@ -430,18 +399,20 @@ class _Entries(RowsModel[Entry]):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         entry, column = self.rows[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            title = f"✓ {entry.title}" if entry.on else entry.title
-            return (tr(entry.kind), title, entry.detail, entry.keys)[column]
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return entry.detail
         if role == Qt.ItemDataRole.ForegroundRole and column in (_KIND, _DETAIL):
             return muted(QApplication.palette())
         if role == Qt.ItemDataRole.AccessibleTextRole:
             state = {None: "", True: tr("on"), False: tr("off")}[entry.on]
             parts = (tr(entry.kind), entry.title, state, entry.keys, entry.detail)
             return ", ".join(part for part in parts if part)
-        return None
+        return super().data(index, role)
+
+    def texts(self, row: Entry) -> tuple[str, ...]:
+        title = f"✓ {row.title}" if row.on else row.title
+        return tr(row.kind), title, row.detail, row.keys
+
+    def tip(self, row: Entry) -> str:
+        return row.detail
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         enabled = self.rows[index.row()].enabled

@@ -1,20 +1,125 @@
-"""Commands of actions that step through values and open dialogs."""
+"""Commands of actions that step through values and open dialogs; the user guide."""
 
 from __future__ import annotations
 
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QMessageBox, QWidget
+import re
+from pathlib import Path
 
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QAction, QDesktopServices, QTextBlock, QTextCursor
+from PySide6.QtWidgets import (
+    QDialog,
+    QListWidget,
+    QListWidgetItem,
+    QMessageBox,
+    QSplitter,
+    QTextBrowser,
+    QWidget,
+)
+
+from procc_annotator.field.model import Element
+from procc_annotator.gui.actions import ActionSpec
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.settings import AUTHOR, KEYS
+from procc_annotator.gui.panels.widgets import hbox, make_label, named, search_line, vbox
+from procc_annotator.gui.settings import KEYS
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Mode
-from procc_annotator.gui.window.guide import Guide, guide_folder
 from procc_annotator.gui.window.key_dialogs import KeymapDialog, KeySheet
-from procc_annotator.gui.window.settings_dialog import SettingsDialog
-from procc_annotator.gui.window.window_settings import BoundSettings
-from procc_annotator.translation import tr
+from procc_annotator.gui.window.window_settings import BoundSettings, SettingsDialog
+from procc_annotator.translation import is_english, tr
 from procc_annotator.version import __version__
+
+_FIRST = "user-guide.md"
+_SIZE = (980, 700)
+_INDENT = "    "
+_PICTURE = re.compile(r"!\[[^\]]*\]\([^)]*\)|<picture>.*?</picture>|<img[^>]*>", re.DOTALL)
+
+
+def guide_folder() -> Path | None:
+    """Return where the pages are; a package of others may have left them out."""
+    package = Path(__file__).resolve().parents[2]
+    folders = (package / "_guide", package.parent / "docs")  # installed, or a checkout
+    return next((folder for folder in folders if (folder / _FIRST).is_file()), None)
+
+
+class Guide(QDialog):
+    """Pages with their headings next to them, and a line that finds words in a page."""
+
+    def __init__(self, folder: Path, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("guide")
+        self.setWindowTitle(tr("User guide"))
+        self._folder, self.page_name = folder, ""
+        self.search = search_line(tr("Find words in this page"), "guideSearch")
+        self.search.returnPressed.connect(self._find)
+        self.headings = named(QListWidget(), "guideHeadings", title=tr("Headings"))
+        self.headings.itemClicked.connect(self._go)
+        self.headings.itemActivated.connect(self._go)
+        self.page = named(QTextBrowser(), "guidePage", title=tr("User guide"))
+        self.page.setOpenLinks(False)
+        self.page.anchorClicked.connect(self._follow)
+        parts = QSplitter(Qt.Orientation.Horizontal)
+        parts.addWidget(self.headings)
+        parts.addWidget(self.page)
+        parts.setSizes([_SIZE[0] // 4, _SIZE[0] * 3 // 4])
+        note = make_label(tr("The user guide is in English."), "guideLanguage", faint=True)
+        note.setHidden(is_english())
+        vbox(hbox(self.search), note, (parts, 1), of=self)
+        screen = self.screen().availableGeometry().size()
+        self.resize(min(_SIZE[0], screen.width()), min(_SIZE[1], screen.height()))
+        self.open_page(_FIRST)
+
+    def open_page(self, name: str) -> None:
+        """Show a page of the folder; one that is not there changes nothing."""
+        path = self._folder / name
+        if path.parent != self._folder or not path.is_file():
+            return
+        self.page_name = name
+        self.page.setMarkdown(_PICTURE.sub("", path.read_text(encoding="utf-8")))
+        self.headings.clear()
+        block = self.page.document().begin()
+        while block.isValid():
+            if level := block.blockFormat().headingLevel():
+                item = QListWidgetItem(_INDENT * (level - 1) + block.text())
+                item.setData(Qt.ItemDataRole.UserRole, block.blockNumber())
+                self.headings.addItem(item)
+            block = block.next()
+
+    # --- inside ---
+
+    def _go(self, item: QListWidgetItem) -> None:
+        number = item.data(Qt.ItemDataRole.UserRole)
+        self._show(self.page.document().findBlockByNumber(number))
+
+    def _show(self, block: QTextBlock) -> None:
+        self.page.moveCursor(QTextCursor.MoveOperation.End)  # what is found comes to the top
+        self.page.setTextCursor(QTextCursor(block))
+
+    def _find(self) -> None:
+        """The next place of the words; after the last one the first again."""
+        words = self.search.text().strip()
+        if words and not self.page.find(words):
+            self.page.moveCursor(QTextCursor.MoveOperation.Start)
+            self.page.find(words)
+
+    def _follow(self, url: QUrl) -> None:
+        """Another page of the guide, a heading, or a place in the web."""
+        if url.scheme() in ("http", "https"):
+            QDesktopServices.openUrl(url)
+            return
+        if url.path():
+            self.open_page(url.path())
+        wanted = url.fragment()
+        for row in range(self.headings.count() if wanted else 0):
+            item = self.headings.item(row)
+            if _anchor(item.text()) == wanted:
+                self._go(item)
+
+
+def _anchor(heading: str) -> str:
+    """A heading as links name it."""
+    return re.sub(r"\s+", "-", re.sub(r"[^\w\s-]", "", heading.strip().lower()))
+
 
 _TAU_STEP = 0.5
 
@@ -102,8 +207,7 @@ class Commands:
     def show_settings(self, key: str = "") -> None:
         """Open the dialog of settings, at one of them if it is named."""
         if self._dialog is None:
-            self._dialog = SettingsDialog(self._options, self._window)
-            self._dialog.keysWanted.connect(self.change_keys)
+            self._dialog = SettingsDialog(self._options, self.change_keys, self._window)
         self._dialog.open_at(key)
 
     def show_guide(self) -> None:
@@ -115,26 +219,15 @@ class Commands:
             return
         if self._guide is None:
             self._guide = Guide(folder, self._window)
-        self._guide.show()
-        self._guide.raise_()
-        self._guide.activateWindow()
-
-    def ask_author(self) -> None:
-        """Show where the name is entered that points, comments and versions bear."""
-        self.show_settings(AUTHOR.key)
+        _bring_up(self._guide)
 
     def show_keys(self) -> None:
         """Open the sheet of keys."""
         if self._sheet is None:
-            self._sheet = KeySheet(
-                self._services.state.field, self._services.state.keymap, self._window
-            )
-            self._sheet.actionCalled.connect(self._call)
-            self._sheet.elementCalled.connect(self._services.selection.select_class)
+            state = self._services.state
+            self._sheet = KeySheet(state.field, state.keymap, self._call, self._window)
         self._fill_sheet()
-        self._sheet.show()
-        self._sheet.raise_()
-        self._sheet.activateWindow()
+        _bring_up(self._sheet)
 
     def _fill_sheet(self) -> None:
         if self._sheet is not None:
@@ -148,8 +241,11 @@ class Commands:
             self._options.change(KEYS, dialog.keymap)
         dialog.deleteLater()
 
-    def _call(self, name: str) -> None:
-        action = self._window.findChild(QAction, f"action_{name}")
+    def _call(self, called: ActionSpec | Element) -> None:
+        if isinstance(called, Element):
+            self._services.selection.select_class(called.name)
+            return
+        action = self._window.findChild(QAction, f"action_{called.name}")
         assert isinstance(action, QAction)
         action.trigger()
 
@@ -161,3 +257,9 @@ class Commands:
             tr("ProCC Annotator {version}\nAnnotate and audit sports-camera calibrations.",
                version=__version__),
         )  # fmt: skip
+
+
+def _bring_up(dialog: QDialog) -> None:
+    dialog.show()
+    dialog.raise_()
+    dialog.activateWindow()

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QComboBox,
@@ -20,9 +21,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
-    QStackedWidget,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -31,25 +30,32 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import read_file
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
-from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import (
     GESTURES,
     NATIVE,
     PRESETS,
     Keymap,
     clashes,
+    element_keys,
     from_values,
     to_values,
 )
-from procc_annotator.gui.panels.tables import (
+from procc_annotator.gui.panels.widgets import (
     ROW,
     SEARCHED,
     Index,
+    Pages,
     RowsModel,
+    hbox,
     list_rows,
+    make_button,
+    named,
+    note_label,
+    search_line,
     searched_rows,
+    show_note,
+    vbox,
 )
-from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
 from procc_annotator.translation import tr, word
 
 _SIZE = QSize(760, 620)
@@ -112,13 +118,6 @@ def _words(keys: tuple[str, ...]) -> str:
     return reduce(lambda one, other: tr("{one} or {other}", one=one, other=other), native)
 
 
-def _gesture_rows() -> list[KeyRow]:
-    place = tr("In the picture")
-    return [
-        KeyRow(None, place, tr(does), tr(keys), (), "", f"{keys} {does}") for keys, does in GESTURES
-    ]
-
-
 class KeyTable(QTableView):
     """Table of keys; shows the rows that hold all the words of a search line."""
 
@@ -149,34 +148,31 @@ class KeyTable(QTableView):
 class KeySheet(QDialog):
     """All keys, with a search; a click on a row or Enter calls it, Esc closes the dialog."""
 
-    actionCalled = Signal(str)
-    elementCalled = Signal(str)
-
-    def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
+    def __init__(
+        self,
+        field: Field,
+        keymap: Keymap,
+        call: Callable[[ActionSpec | Element], object],
+        parent: QWidget,
+    ) -> None:
         super().__init__(parent)
+        self._do = call
         self.setObjectName("keySheet")
         self.setWindowTitle(tr("Keys"))
         words = tr("Search: a word, or a key. A click does what a row says.")
-        self.search = QLineEdit(placeholderText=words, clearButtonEnabled=True)
-        self.search.setObjectName("keySearch")
-        self.search.setAccessibleName(tr("Search the keys"))
+        self.search = search_line(words, "keySearch", title=tr("Search the keys"))
         self.search.returnPressed.connect(self._call_only)
         self.table = KeyTable("keyTable", self.search)
         self.table.setColumnHidden(_CLASH, True)
         self.table.clicked.connect(self._call)
         self.table.activated.connect(self._call)
-        self.nothing = empty_state("", "keys_nothing")
-        self.pages = QStackedWidget()
-        self.pages.addWidget(self.table)
-        self.pages.addWidget(self.nothing)
+        self.pages = Pages(self.table, "keys_nothing")
+        self.nothing = self.pages.empty
         self.search.textChanged.connect(self._show_page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
         buttons.rejected.connect(self.close)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.search)
-        layout.addWidget(self.pages)
-        layout.addWidget(buttons)
+        vbox(self.search, self.pages, buttons, of=self)
         self.show_field(field, keymap)
         room = parent.window().size() - QSize(_MARGIN, _MARGIN)
         self.resize(QSize(_SIZE.width(), room.height()).boundedTo(room))
@@ -189,7 +185,10 @@ class KeySheet(QDialog):
             for row in key_rows(field, keymap)
             if not isinstance(row.called, Element) or row.called.name in free
         ]
-        self.table.rows.replace([*rows, *_gesture_rows()])
+        place = tr("In the picture")
+        for keys, does in GESTURES:
+            rows.append(KeyRow(None, place, tr(does), tr(keys), (), "", f"{keys} {does}"))
+        self.table.rows.replace(rows)
         self.search.clear()
         self.search.setFocus()
 
@@ -197,8 +196,7 @@ class KeySheet(QDialog):
         called = self.table.row_at(index).called
         if called is not None:
             self.close()  # first: what is called may ask something itself
-            signal = self.actionCalled if isinstance(called, ActionSpec) else self.elementCalled
-            signal.emit(called.name)
+            self._do(called)
 
     def _call_only(self) -> None:
         """Enter calls what alone is found."""
@@ -207,8 +205,8 @@ class KeySheet(QDialog):
             self._call(model.index(0, 0))
 
     def _show_page(self, text: str) -> None:
-        self.nothing.setText(tr("No key, action or element has “{text}”.", text=text.strip()))
-        self.pages.setCurrentIndex(0 if self.table.model().rowCount() else 1)
+        why = tr("No key, action or element has “{text}”.", text=text.strip())
+        self.pages.explain("" if self.table.model().rowCount() else why)
 
 
 class KeymapDialog(QDialog):
@@ -229,62 +227,42 @@ class KeymapDialog(QDialog):
 
     def _build(self) -> None:
         words = tr("Search: a word, or a key")
-        self.search = QLineEdit(placeholderText=words, clearButtonEnabled=True)
-        self.search.setObjectName("keymapSearch")
-        self.search.setAccessibleName(tr("Search"))
-        self.presets = QComboBox()
-        self.presets.setObjectName("keymapPresets")
-        self.presets.setAccessibleName(tr("All keys at once"))
+        self.search = search_line(words, "keymapSearch", title=tr("Search"))
+        self.presets = named(QComboBox(), "keymapPresets", title=tr("All keys at once"))
         for name in (*PRESETS, _OWN):
             self.presets.addItem(tr(name), name)
         self.presets.activated.connect(self._take_preset)
-        above = QHBoxLayout()
-        above.addWidget(self.search, 1)
-        above.addWidget(self.presets)
         self.table = KeyTable("keymapTable", self.search)
-        self.table.selectionModel().currentRowChanged.connect(lambda *_: self._show_chosen())
+        self.table.selectionModel().currentRowChanged.connect(self._show_chosen)
         self.problem = note_label("keymapProblem")
-        layout = QVBoxLayout(self)
-        layout.addLayout(above)
-        layout.addWidget(self.table, 1)
-        layout.addLayout(self._editing())
-        layout.addWidget(self.problem)
-        layout.addWidget(self._buttons())
+        above = hbox((self.search, 1), self.presets)
+        parts = (above, (self.table, 1), self._editing(), self.problem, self._buttons())
+        vbox(*parts, of=self)
+        for button in self.findChildren(QPushButton):
+            button.setAutoDefault(False)
 
     def _editing(self) -> QHBoxLayout:
         """Return what changes the keys of the row that is chosen."""
         self.chosen = QLabel()
         self.pressed = _PressedKeys()
-        self.add = QPushButton(tr("Add"))
-        self.only = QPushButton(tr("Only these"))
-        self.none = QPushButton(tr("No keys"))
-        self.usual = QPushButton(tr("Usual keys"))
-        self.add.clicked.connect(lambda: self._give((*self._row_keys(), self._typed())))
-        self.only.clicked.connect(lambda: self._give((self._typed(),)))
-        self.none.clicked.connect(lambda: self._give(()))
-        self.usual.clicked.connect(self._give_usual)
-        self.pressed.keySequenceChanged.connect(lambda _: self._show_chosen())
-        row = QHBoxLayout()
-        row.addWidget(self.chosen, 1)
-        row.addWidget(self.pressed)
-        for button in (self.add, self.only, self.none, self.usual):
-            button.setAutoDefault(False)
-            row.addWidget(button)
-        return row
+        self.pressed.keySequenceChanged.connect(self._show_chosen)
+        self.add = make_button(tr("Add"), lambda: self._give((*self._row_keys(), self._typed())))
+        self.only = make_button(tr("Only these"), lambda: self._give((self._typed(),)))
+        self.none = make_button(tr("No keys"), lambda: self._give(()))
+        self.usual = make_button(tr("Usual keys"), self._give_usual)
+        buttons = (self.add, self.only, self.none, self.usual)
+        return hbox((self.chosen, 1), self.pressed, *buttons)
 
     def _buttons(self) -> QDialogButtonBox:
         box = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
         self.ok = box.button(QDialogButtonBox.StandardButton.Ok)
-        self.ok.setAutoDefault(False)
         role = QDialogButtonBox.ButtonRole.ResetRole
-        self.export_button = box.addButton(tr("Export…"), role)
-        self.import_button = box.addButton(tr("Import…"), role)
-        self.export_button.clicked.connect(self._ask_export)
-        self.import_button.clicked.connect(self._ask_import)
+        self.export_button = make_button(tr("Export…"), self._ask_export)
+        self.import_button = make_button(tr("Import…"), self._ask_import)
         for button in (self.export_button, self.import_button):
-            button.setAutoDefault(False)
+            box.addButton(button, role)
         box.accepted.connect(self.accept)
         box.rejected.connect(self.reject)
         return box
@@ -304,6 +282,7 @@ class KeymapDialog(QDialog):
         self.ok.setEnabled(not hard)
         self._show_chosen()
 
+    @Slot()
     def _show_chosen(self) -> None:
         row, typed = self._row(), bool(self._typed())
         nothing = tr("Choose a row, then press its keys")
@@ -389,12 +368,13 @@ class _KeyRows(RowsModel[KeyRow]):
             return row
         if role == SEARCHED:
             return f"{row.text} {row.keys} {row.english}"
-        if role == Qt.ItemDataRole.ToolTipRole and isinstance(row.called, ActionSpec):
-            return tr(row.called.tip)
-        if role != Qt.ItemDataRole.DisplayRole:
-            return None
-        clash = tr("⚠ also: {what}", what=row.clash) if row.clash else ""
-        return (row.text, row.keys, clash)[index.column()]
+        return super().data(index, role)
+
+    def texts(self, row: KeyRow) -> tuple[str, ...]:
+        return row.text, row.keys, tr("⚠ also: {what}", what=row.clash) if row.clash else ""
+
+    def tip(self, row: KeyRow) -> str:
+        return tr(row.called.tip) if isinstance(row.called, ActionSpec) else ""
 
 
 class _PressedKeys(QKeySequenceEdit):
@@ -407,5 +387,5 @@ class _PressedKeys(QKeySequenceEdit):
         self.setMaximumSequenceLength(1)
         self.setClearButtonEnabled(True)
         words = self.findChildren(QLineEdit)[0].placeholderText()  # Qt's own
-        beside = 2 * self.fontMetrics().height()
-        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(words) + beside)
+        clear = 2 * self.fontMetrics().height()
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(words) + clear)

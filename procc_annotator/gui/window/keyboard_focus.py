@@ -1,11 +1,20 @@
-"""Keyboard focus: the regions F6 goes round, the ring, keys handed back to the canvas."""
+"""The keyboard: focus regions (F6), focus ring, keys of the canvas and of the elements."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer
-from PySide6.QtGui import QCursor, QKeyEvent, QPainter, QPaintEvent
+from PySide6.QtGui import (
+    QAction,
+    QCursor,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPaintEvent,
+    QRegion,
+    QShortcut,
+)
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -22,7 +31,9 @@ from shiboken6 import isValid
 
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.canvas_keys import beside_picture, typed_into
+from procc_annotator.gui.keymap import element_keys, keys_by_place
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
+from procc_annotator.gui.state.services import Services
 
 _WIDTH = 2
 _MOVES = (QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
@@ -30,14 +41,13 @@ _WITHOUT = (Qt.WindowType.Popup, Qt.WindowType.ToolTip)
 
 
 class FocusRing(QObject):
-    """Four strips that lie around the widget; none of them takes the mouse, and the picture below
-    is not painted anew for them."""
+    """Shows a ring around the widget that has the keyboard, unless a click gave it."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window = window
         self.widget: QWidget | None = None
-        self._edges: list[_Edge] = []
+        self._ring: _Ring | None = None
         application = QApplication.instance()
         assert isinstance(application, QApplication)
         application.focusChanged.connect(self._follow)
@@ -45,7 +55,7 @@ class FocusRing(QObject):
     @property
     def shown(self) -> bool:
         """Return whether the ring is in sight."""
-        return bool(self._edges) and not self._edges[0].isHidden()
+        return self._ring is not None and not self._ring.isHidden()
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
         if self.widget is not None and isValid(self.widget):
@@ -55,7 +65,7 @@ class FocusRing(QObject):
         if new is not None and self._wanted(new):
             self.widget = new
             new.installEventFilter(self)
-            self._edges = [_Edge(new.window()) for _ in range(4)]
+            self._ring = _Ring(new.window())
             self._stand()
 
     def _wanted(self, widget: QWidget) -> bool:
@@ -65,7 +75,7 @@ class FocusRing(QObject):
         top = widget.window()
         if top is not self._window and not self._window.isAncestorOf(top):
             return False
-        if isinstance(widget, QGraphicsView):  # takes the keyboard from whoever passes over it
+        if isinstance(widget, QGraphicsView):  # takes the keyboard when the mouse enters
             return not widget.underMouse()
         return top.windowType() not in _WITHOUT
 
@@ -77,31 +87,26 @@ class FocusRing(QObject):
         return False
 
     def _remove(self) -> None:
-        for edge in filter(isValid, self._edges):  # a dialog takes its own along
-            edge.hide()
-            edge.deleteLater()
-        self._edges = []
+        if self._ring is not None and isValid(self._ring):  # a dialog takes its own along
+            self._ring.hide()
+            self._ring.deleteLater()
+        self._ring = None
 
     def _stand(self) -> None:
-        widget = self.widget
-        if widget is None or not self._edges:
+        widget, ring = self.widget, self._ring
+        if widget is None or ring is None:
             return
-        at = widget.mapTo(widget.window(), QPoint(0, 0))
-        box = QRect(at, widget.size()).intersected(widget.window().rect())
-        boxes = (
-            QRect(box.left(), box.top(), box.width(), _WIDTH),
-            QRect(box.left(), box.bottom() + 1 - _WIDTH, box.width(), _WIDTH),
-            QRect(box.left(), box.top(), _WIDTH, box.height()),
-            QRect(box.right() + 1 - _WIDTH, box.top(), _WIDTH, box.height()),
-        )
-        for edge, place in zip(self._edges, boxes, strict=True):
-            edge.setGeometry(place)
-            edge.setVisible(widget.isVisible())
-            edge.raise_()
+        window = widget.window()
+        at = widget.mapTo(window, QPoint(0, 0))
+        ring.setGeometry(QRect(at, widget.size()).intersected(window.rect()))
+        inner = ring.rect().adjusted(_WIDTH, _WIDTH, -_WIDTH, -_WIDTH)
+        ring.setMask(QRegion(ring.rect()).subtracted(QRegion(inner)))
+        ring.setVisible(widget.isVisible())
+        ring.raise_()
 
 
-class _Edge(QWidget):
-    """A plain strip of a colour that is seen on both themes."""
+class _Ring(QWidget):
+    """A frame of a colour that is seen on both themes; below its mask nothing is painted anew."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
@@ -193,17 +198,14 @@ class FocusReturn(QObject):
             return widget.interpretText if name == _ENTER else lambda: self._put_back(widget)
         if isinstance(widget, QLineEdit) and widget.property(LEFT_BY_ESCAPE) and name == _ESCAPE:
             return lambda: self._put_back(widget)
-        return _nothing if isinstance(widget, QComboBox) else None
+        # The keyboard goes back from a list, and that is all.
+        return (lambda: None) if isinstance(widget, QComboBox) else None
 
     def _put_back(self, box: QDoubleSpinBox | QLineEdit) -> None:
         if isinstance(box, QLineEdit):
             box.setText(str(self._former))
         else:
             box.setValue(float(self._former))
-
-
-def _nothing() -> None:
-    """The keyboard goes back, and that is all."""
 
 
 _BY_TAB = Qt.FocusPolicy.TabFocus
@@ -221,7 +223,8 @@ class FocusRegions:
         if not regions:
             return
         focus = QApplication.focusWidget()
-        here = next((i for i, r in enumerate(regions) if _holds(r, focus)), None)
+        around = [r for r in regions if focus is not None and r.isAncestorOf(focus)]
+        here = next((i for i, r in enumerate(regions) if r is focus or r in around), None)
         begin = (-1 if step > 0 else 0) if here is None else here
         for turn in range(1, len(regions) + 1):
             region = regions[(begin + step * turn) % len(regions)]
@@ -238,7 +241,9 @@ class FocusRegions:
         for bar in bars:
             _reach(bar)
         docks = [d for d in window.findChildren(QDockWidget) if not d.visibleRegion().isEmpty()]
-        return sorted([*bars, *docks, *self._middle()], key=_place)
+        return sorted(
+            [*bars, *docks, *self._middle()], key=lambda part: part.mapToGlobal(QPoint()).toTuple()
+        )
 
     def _middle(self) -> list[QWidget]:
         """The picture, the strip below it, and whatever else is one above the other there."""
@@ -257,15 +262,6 @@ def _reach(bar: QToolBar) -> None:
             button.setFocusPolicy(_BY_TAB)
 
 
-def _place(part: QWidget) -> tuple[int, int]:
-    at = part.mapToGlobal(QPoint(0, 0))
-    return at.x(), at.y()
-
-
-def _holds(region: QWidget, focus: QWidget | None) -> bool:
-    return focus is not None and (focus is region or region.isAncestorOf(focus))
-
-
 def _target(region: QWidget) -> QWidget | None:
     """Return what had the keyboard there last, or else what is first."""
     if _takes(region):
@@ -280,3 +276,60 @@ def _target(region: QWidget) -> QWidget | None:
 def _takes(widget: QWidget) -> bool:
     reachable = bool(widget.focusPolicy() & _BY_TAB)
     return reachable and widget.isVisible() and widget.isEnabled()
+
+
+class DigitRow(QObject):
+    """Has the keys of the digits call what digits call, whatever they write."""
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        window.installEventFilter(self)  # keys come here that no text field wanted
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QKeyEvent) or event.type() == QEvent.Type.KeyRelease:
+            return False
+        keys = keys_by_place(event)
+        called = self._called_by(keys) if keys else None
+        if called is None:
+            return False
+        event.accept()  # as an override: no shortcut is looked for by what the key writes
+        if event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat():
+            if isinstance(called, QAction):
+                called.trigger()
+            else:
+                called.activated.emit()
+        return True
+
+    def _called_by(self, keys: str) -> QAction | QShortcut | None:
+        wanted = QKeySequence(keys)
+        for shortcut in self._window.findChildren(QShortcut):
+            if shortcut.isEnabled() and shortcut.key() == wanted:
+                return shortcut
+        actions = self._window.actions()
+        return next((a for a in actions if a.isEnabled() and wanted in a.shortcuts()), None)
+
+
+class ElementShortcuts(QObject):
+    """The keys of a window that choose the elements of the field on screen."""
+
+    def __init__(self, window: QWidget, services: Services) -> None:
+        super().__init__(window)
+        self._window, self._services = window, services
+        self._shortcuts: list[QShortcut] = []
+        services.store.watch(lambda s: (s.field, s.keymap), self._make)
+        self._make()
+
+    def _make(self) -> None:
+        for old in self._shortcuts:
+            old.setEnabled(False)  # it is deleted later only
+            old.deleteLater()
+        self._shortcuts = []
+        for name, keys in element_keys(
+            self._services.state.field, self._services.state.keymap
+        ).items():
+            shortcut = QShortcut(keys, self._window)
+            shortcut.activated.connect(
+                lambda name=name: self._services.selection.select_class(name, continues=True)
+            )
+            self._shortcuts.append(shortcut)

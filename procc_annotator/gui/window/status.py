@@ -1,19 +1,35 @@
-"""The status bar and the reports that keep it in step with the state and the cursor."""
+"""The status bar, its reports of state and cursor, and the routing of messages and errors."""
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
-from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtCore import (
+    QEvent,
+    QMessageLogContext,
+    QObject,
+    QSize,
+    Qt,
+    QTimer,
+    QtMsgType,
+    Signal,
+    qInstallMessageHandler,
+)
+from PySide6.QtGui import QFontMetrics, QGuiApplication, QResizeEvent
+from PySide6.QtWidgets import QLabel, QMainWindow, QSizePolicy, QStatusBar, QWidget
 
+from procc_annotator import error_log
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.state.background import after_paint
+from procc_annotator.gui.messages import Bar, ConflictBar, MessageBar
+from procc_annotator.gui.panels.widgets import ElidedLabel, hbox, make_label, named
+from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.messages import Message
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import UNSAVED
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.interaction.hints import SEPARATOR
 from procc_annotator.translation import tr, word
@@ -48,27 +64,13 @@ _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class ElidedLabel(QWidget):
-    """A text that is shortened with dots instead of pushing its neighbours out."""
+class HintLabel(ElidedLabel):
+    """A line of message and hint, in which long titles of elements are shortened first."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._text = ""
-        self._soon = after_paint(self, self.update)  # what the text is about is painted first
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._long_title: re.Pattern[str] | None = None
         self._begins_with_title = True
-
-    def text(self) -> str:
-        """All of it."""
-        return self._text
-
-    def set_text(self, text: str) -> None:
-        """Show something else."""
-        if text != self._text:
-            self._text = text
-            self.setAccessibleName(text)
-            self._soon.start()
 
     def show_line(self, message: str, hint: str) -> None:
         """Show what just happened and what the next click does; either may be empty."""
@@ -81,12 +83,6 @@ class ElidedLabel(QWidget):
         # A title may begin another one: the longer is looked for first.
         long = sorted((t for t in titles if len(t) > _SHORT_TITLE), key=len, reverse=True)
         self._long_title = re.compile(f"({'|'.join(map(re.escape, long))})") if long else None
-
-    def sizeHint(self) -> QSize:
-        return self.minimumSizeHint()
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(40, self.fontMetrics().height() + 2)
 
     def text_for(self, width: int) -> str:
         """Return what is shown in a width, px: before how to go on is cut, the title in front
@@ -121,16 +117,6 @@ class ElidedLabel(QWidget):
         parts[1::2] = [metrics.elidedText(title, middle, most) for title in parts[1::2]]
         return "".join(parts)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        area = self.contentsRect()
-        painter.setPen(self.palette().windowText().color())
-        painter.drawText(
-            area,
-            Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft,
-            self.text_for(area.width()),
-        )
-
 
 def _most(widths: Sequence[int], room: int) -> int:
     """Return how wide the widest may be so that all together take no more than the room, px."""
@@ -163,7 +149,7 @@ class Readout(QLabel):
 
 
 class SteadyLabel(QLabel):
-    """A label whose neighbours are laid out anew only when it needs other room."""
+    """A label that has its neighbours laid out anew only when it needs another size."""
 
     def __init__(self, least: str = "") -> None:
         """Show nothing yet.
@@ -196,13 +182,13 @@ class SteadyLabel(QLabel):
 
 
 class StatusLine(QStatusBar):
-    """Hint, what goes on, cursor in picture pixels and field metres."""
+    """Hint, work under way, cursor in picture pixels and field metres."""
 
-    def __init__(self) -> None:
+    def __init__(self, services: Services, canvas: Canvas) -> None:
         super().__init__()
+        self._services, self._canvas = services, canvas
         self.setSizeGripEnabled(False)
-        self.hint = ElidedLabel()
-        self.hint.setObjectName("hint")
+        self.hint = named(HintLabel(), "hint")
         self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
         self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
         self.pixels.setToolTip(
@@ -216,7 +202,6 @@ class StatusLine(QStatusBar):
                 "on the ground, and in pixels of the evaluation size"
             )
         )
-        self.apart.hide()
         self.good_to = Readout("cursorUncertainty", tr(_GROUND, metres=1234.56) + " ")
         self.good_to.setToolTip(
             tr(
@@ -224,22 +209,33 @@ class StatusLine(QStatusBar):
                 "deviation in the worst direction, whatever the cursor itself is off by"
             )
         )
-        self.good_to.hide()
-        self.work = QLabel()
-        self.work.setObjectName("backgroundWork")
+        for readout in (self.apart, self.good_to):
+            readout.hide()
+        self.work = make_label(name="backgroundWork")
         line = QWidget()
-        layout = QHBoxLayout(line)
-        layout.setContentsMargins(2 * _PAD, _PAD, _PAD, _PAD)
-        layout.addWidget(self.hint, 1)
-        for part in (self.work, self.apart, self.good_to, self.pixels, self.metres):
-            layout.addWidget(part)
+        parts = (self.work, self.apart, self.good_to, self.pixels, self.metres)
+        line.setLayout(hbox((self.hint, 1), *parts, margins=(2 * _PAD, _PAD, _PAD, _PAD)))
         self.addWidget(IsolatedRow(line), 1)
         self._hint = self._message = ""
-        self._message_timer = QTimer(self)
-        self._message_timer.setSingleShot(True)
+        self._message_timer = QTimer(self, singleShot=True)
         self._message_timer.timeout.connect(self._show_hint)
-        self._just_told = QTimer(self)  # runs until the event loop turns
-        self._just_told.setSingleShot(True)
+        self._just_told = QTimer(self, singleShot=True)  # runs until the event loop turns
+        self._follow(services, canvas)
+
+    def _follow(self, services: Services, canvas: Canvas) -> None:
+        canvas.cursorMoved.connect(self.show_cursor)
+        canvas.hintChanged.connect(self.set_hint)
+        watch = services.store.watch
+        watch(lambda s: s.field, self._show_titles)
+        watch(
+            lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
+            self._refresh_cursor,
+        )
+        for computed in (services.disagreement, services.uncertainty):
+            computed.changed.connect(self._refresh_cursor)
+        services.dataset_scores.progressed.connect(self.show_scoring)
+        self.set_hint(canvas.hint)
+        self._show_titles()
 
     def set_hint(self, text: str) -> None:
         """Set what the next click, Enter and Esc do; shown after the message."""
@@ -266,25 +262,6 @@ class StatusLine(QStatusBar):
             self._message_timer.stop()
             self._show_hint()
 
-    def set_cursor(
-        self, px: tuple[float, float] | None, metres: tuple[float, float] | None
-    ) -> None:
-        """Show the cursor's position; None outside the picture."""
-        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
-        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
-
-    def set_disagreement(self, shown: bool, apart: tuple[float, float] | None) -> None:
-        """Metres and px between two cameras at the cursor; takes no room unless it is shown."""
-        if self.apart.isHidden() == shown:
-            self.apart.setVisible(shown)
-        self.apart.setText("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
-
-    def set_uncertainty(self, shown: bool, metres: float | None) -> None:
-        """Standard deviation on the ground at the cursor; takes no room unless it is shown."""
-        if self.good_to.isHidden() == shown:
-            self.good_to.setVisible(shown)
-        self.good_to.setText("" if metres is None else tr(_GROUND, metres=metres))
-
     def set_work(self, text: str, tip: str = "") -> None:
         """Show the background work; empty for none."""
         self.work.setText(text)
@@ -296,63 +273,42 @@ class StatusLine(QStatusBar):
     def _show_hint(self) -> None:
         self.hint.show_line("", self._hint)
 
-
-class StatusReport(QObject):
-    """Hint, cursor position, work under way."""
-
-    def __init__(
-        self, services: Services, canvas: Canvas, status: StatusLine, parent: QObject
-    ) -> None:
-        super().__init__(parent)
-        self._services = services
-        self._canvas = canvas
-        self._status = status
-        canvas.cursorMoved.connect(self.show_cursor)
-        canvas.hintChanged.connect(status.set_hint)
-        store = services.store
-        store.watch(lambda s: s.field, self._show_titles)
-        store.watch(
-            lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
-            self._look_again,
-        )
-        services.disagreement.changed.connect(self._look_again)
-        services.uncertainty.changed.connect(self._look_again)
-        services.dataset_scores.progressed.connect(self.show_scoring)
-        status.set_hint(canvas.hint)
-        self._show_titles()
-
     def _show_titles(self) -> None:
         """Pass on the titles of elements, which hints and messages contain."""
-        self._status.hint.set_titles(tr(e.title) for e in self._services.state.field.elements)
+        self.hint.set_titles(tr(e.title) for e in self._services.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """Show the progress of scoring the set; nothing when it is complete."""
         text = tr("scoring {done:,} / {total:,}", done=done, total=total) if done < total else ""
-        self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
+        self.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_comparing(self, done: int, total: int) -> None:
         """Show the progress of comparing two sources; nothing when it is over."""
         text = tr("comparing {done:,} / {total:,}", done=done, total=total) if total else ""
-        self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
+        self.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_ghosts(self, done: int, total: int) -> None:
         """Show the progress of checking all ghosts; nothing when it is over."""
         text = tr("ghosts {done:,} / {total:,}", done=done, total=total) if total else ""
-        self._status.set_work(text, tr("Esc ends it"))
+        self.set_work(text, tr("Esc ends it"))
 
-    def _look_again(self, *_: object) -> None:
+    def _refresh_cursor(self) -> None:
         self.show_cursor(self._canvas.cursor_px)
 
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)
-        self._status.set_cursor(px, None if at is None else self._metres(at))
-        found = self._services.disagreement.value
+        metres = None if at is None else self._metres(at)
+        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
+        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+        disagreement, uncertainty = self._services.disagreement, self._services.uncertainty
+        found, known = disagreement.value, uncertainty.value
         apart = found.at(*at) if found is not None and at is not None else None
-        self._status.set_disagreement(self._services.disagreement.enabled, apart)
-        known = self._services.uncertainty.value
+        self.apart.setVisible(disagreement.enabled)
+        self.apart.setText("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
         sd = known.at(*px) if known is not None and px is not None else None
-        self._status.set_uncertainty(self._services.uncertainty.enabled, sd)
+        self.good_to.setVisible(uncertainty.enabled)
+        self.good_to.setText("" if sd is None else tr(_GROUND, metres=sd))
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""
@@ -371,3 +327,110 @@ class StatusReport(QObject):
             return None
         metres = ground[0]
         return float(metres[0]), float(metres[1])
+
+
+_TITLE = "ProCC Annotator[*]"  # not shown
+
+
+class MessageRouter(QObject):
+    """Puts each thing that is said in its place: what matters stays until it is dealt with."""
+
+    def __init__(
+        self,
+        services: Services,
+        bars: tuple[MessageBar, Bar, ConflictBar],
+        status: StatusLine,
+        window: QMainWindow,
+    ) -> None:
+        super().__init__(window)
+        self._services, self._status, self._window = services, status, window
+        self._messages, self._frame_bar, self._conflicts = bars
+        watch = services.store.watch
+        watch(select.dataset, self._messages.hide)
+        watch(select.frame, self._take_frame)
+        watch(lambda s: (select.annotation(s), select.mode(s)), self._show_not_editable)
+        watch(lambda s: (select.frame(s), s.unsaved), self._show_saved)
+        watch(select.blind, self._hide_message)
+        watch(lambda s: s.notices, self._keep_notices)
+        services.store.events.message.connect(self._tell)
+        self._take_frame()
+        self._show_saved()
+
+    def _take_frame(self) -> None:
+        if not self._services.saver.problems:
+            self._messages.grow_old()  # it was of the frame before
+        self._status.forget()
+        self._show_not_editable()
+
+    def _show_not_editable(self) -> None:
+        why = self._services.state.why_not_editable
+        text = tr("This frame is not editable. {problem}", problem=why) if why else ""
+        self._frame_bar.tell(text)
+
+    def _show_saved(self) -> None:
+        saver, frame = self._services.saver, self._services.state.frame
+        conflict = saver.conflict(self._services.state.frame_index)
+        self._conflicts.tell(str(conflict) if conflict is not None else "")
+        self._window.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
+        self._window.setWindowModified(bool(saver.problems))
+
+    def _hide_message(self) -> None:
+        if self._services.state.blind:  # it may contain the score of a camera
+            self._status.forget(just_told=True)
+
+    def _keep_notices(self) -> None:
+        self._messages.keep(self._services.state.notices)
+
+    def _tell(self, message: Message) -> None:
+        services = self._services
+        conflict = services.saver.conflict(services.state.frame_index)
+        if message.level == "info":
+            self._status.tell(message.text)
+        elif message.text == services.state.why_broken:
+            self._status.tell(tr("not editable: the bar over the picture says why"))
+        elif message.key != UNSAVED:
+            # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
+            # everything).
+            unsaved = [notice for notice in services.state.notices if notice.key == UNSAVED]
+            self._messages.show_message(message, above=unsaved)
+        elif conflict is None or message.text != str(conflict):  # that one has a bar of its own
+            self._messages.show_message(message)
+
+
+class ErrorReports(QObject):
+    """Shows what `error_log` reports. The event loop goes on, and with it saving."""
+
+    _happened = Signal(str, str)  # perhaps in another thread
+
+    def __init__(self, services: Services, parent: QObject) -> None:
+        super().__init__(parent)
+        self._services, self._details = services, ""
+        self._happened.connect(self._show, Qt.ConnectionType.QueuedConnection)
+
+    def install(self) -> None:
+        """Report every unexpected error of this process here, and log the warnings of Qt."""
+        error_log.install_handlers(self._happened.emit)
+        qInstallMessageHandler(_log_qt)
+
+    def copy(self) -> None:
+        """Copy the details of the last unexpected error, or say that there was none."""
+        path = error_log.log_path()
+        if self._details:
+            QGuiApplication.clipboard().setText(self._details)
+            text = tr("the details are copied; they are in {path}, too", path=path)
+        else:
+            text = tr("there was no unexpected error; they are logged in {path}", path=path)
+        self._services.say(text)
+
+    def _show(self, line: str, details: str) -> None:
+        self._details = details
+        text = tr("unexpected error ({what}); saving goes on, the details are in {path}",
+                  what=line, path=error_log.log_path())  # fmt: skip
+        self._services.say(text, "error", remedy="copy_error")
+
+
+def _log_qt(kind: QtMsgType, _: QMessageLogContext, text: str) -> None:
+    if kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg):
+        error_log.log_line(f"Qt: {text}")  # not shown
+    if sys.stderr is not None:
+        print(text, file=sys.stderr)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QActionEvent,
@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
     QStyleOptionToolButton,
     QToolBar,
     QToolButton,
-    QWidget,
     QWidgetAction,
 )
 
@@ -45,8 +44,8 @@ class IconButton(QToolButton):
     It is filled while it is on, with a bar at its left edge: colour is not the only sign.
     """
 
-    def __init__(self, icon: str, parent: QWidget | None = None, *, with_key: bool = False) -> None:
-        super().__init__(parent)
+    def __init__(self, icon: str, *, with_key: bool = False) -> None:
+        super().__init__()
         self._icon, self._with_key, self._key = icon, with_key, ""
         self._hint: QSize | None = None  # asked for hundreds of times whenever a window is laid out
         self._called_by: list[QKeySequence] = []
@@ -59,7 +58,7 @@ class IconButton(QToolButton):
 
         Args:
             action: what a click triggers.
-            key_of: whose key is shown, if it has none of its own.
+            key_of: has the key that is shown if the action has no key.
             key: what is held for the same effect, where there is no such action either.
         """
         self.setDefaultAction(action)
@@ -189,7 +188,7 @@ class IconButton(QToolButton):
         return font
 
 
-# Icon, action, and whose key is shown where that has none; a None starts a new group.
+# Icon, action, and the action with the key that is shown where that has none; None: a new group.
 _BUTTONS: tuple[tuple[str, str, str] | None, ...] = (
     ("undo", "undo", ""),
     ("redo", "redo", ""),
@@ -208,19 +207,22 @@ _BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and th
 _HELD = {"pan": "Space"}  # not shown
 
 
+def fix_bar(bar: QToolBar, name: str) -> None:
+    """Keep a tool bar where it is, and in sight."""
+    bar.setObjectName(name)
+    bar.setMovable(False)
+    bar.setFloatable(False)
+    bar.toggleViewAction().setEnabled(False)
+    bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+
+
 class SideToolBar(QToolBar):
     """Buttons of the table of actions, one below the other, and of how the picture looks."""
 
-    lookChanged = Signal(object)  # how pictures are to be shown
-
     def __init__(self, actions: Actions) -> None:
         super().__init__(tr("Rail"))
-        self.setObjectName("rail")
-        self.setMovable(False)
-        self.setFloatable(False)
-        self.toggleViewAction().setEnabled(False)
+        fix_bar(self, "rail")
         self.setOrientation(Qt.Orientation.Vertical)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self.buttons: dict[str, IconButton] = {}
         for row in _BUTTONS:
             if row is None:
@@ -248,7 +250,6 @@ class SideToolBar(QToolBar):
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""
         self.looks = AdjustmentControls()
-        self.looks.lookChanged.connect(self.lookChanged)
         menu = QMenu(self)
         action = QWidgetAction(menu)
         action.setDefaultWidget(self.looks)

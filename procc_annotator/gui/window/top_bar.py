@@ -8,7 +8,6 @@ from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QKeySequence, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
     QLabel,
     QMenu,
     QSizePolicy,
@@ -23,15 +22,15 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.panels.widgets import RangeBox
+from procc_annotator.gui.panels.widgets import ElidedLabel, hbox, named, range_box
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.status import ElidedLabel, IsolatedRow, SteadyLabel
-from procc_annotator.gui.window.tool_bar import IconButton
+from procc_annotator.gui.window.status import IsolatedRow, SteadyLabel
+from procc_annotator.gui.window.tool_bar import IconButton, fix_bar
 from procc_annotator.translation import tr, tr_count, word
 
 
@@ -42,33 +41,21 @@ class TauControl(QWidget):
         super().__init__()
         self._services = services
         tip = tr("Threshold tau: an element passes when all its points are nearer (+ and -)")
-        label = QLabel("τ")
         self.slider = QSlider(Qt.Orientation.Horizontal)
-        self.slider.setObjectName("tauSlider")
         self.slider.setRange(round(MIN_TAU * 10), round(MAX_TAU * 10))
         self.slider.setSingleStep(5)
         self.slider.setPageStep(20)
         self.slider.setFixedWidth(100)
-        self.spin = RangeBox()
-        self.spin.refused.connect(self.spin.tell_refused)
-        self.spin.setObjectName("tauSpin")
-        self.spin.setRange(MIN_TAU, MAX_TAU)
-        self.spin.setDecimals(1)
-        self.spin.setSingleStep(0.5)
-        self.spin.setSuffix(" px")
-        self.spin.setKeyboardTracking(False)
+        self.spin = range_box(MIN_TAU, MAX_TAU, 0.5, " px")
         self.spin.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 0)
-        for widget in (label, self.slider, self.spin):
-            widget.setToolTip(tip)
-            widget.setAccessibleName(tr("Threshold tau"))
-            layout.addWidget(widget)
+        parts = {"tauLabel": QLabel("τ"), "tauSlider": self.slider, "tauSpin": self.spin}
+        for name, part in parts.items():
+            named(part, name, tip=tip, title=tr("Threshold tau"))
+        self.setLayout(hbox(*parts.values(), margins=(4, 0, 4, 0)))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider.valueChanged.connect(lambda tenths: services.evaluation.set_tau(tenths / 10))
         self.spin.valueChanged.connect(services.evaluation.set_tau)
         services.store.watch(lambda s: s.tau, self._show)
-        self._services = services
         self._show()
 
     def _show(self) -> None:
@@ -92,27 +79,19 @@ class CameraBar(QWidget):
         self._services = services
         self._listed: list[str] = []
         self.tau = TauControl(services)
-        self.cameras = QComboBox()
-        self.cameras.setObjectName("cameraCombo")
+        tip = tr("The camera set that is judged (C switches)")
+        self.cameras = named(QComboBox(), "cameraCombo", tip=tip)
         self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.cameras.setToolTip(tr("The camera set that is judged (C switches)"))
         self.cameras.activated.connect(lambda i: services.camera_sources.set_active_camera(i - 1))
-        self.jac = SteadyLabel()
+        self.jac = named(SteadyLabel(), "judgedJac", tip=tr(_JAC_TIP))
         self.jac.setTextFormat(Qt.TextFormat.RichText)
-        self.jac.setObjectName("judgedJac")
         self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setToolTip(tr(_JAC_TIP))
         self.jac.setContentsMargins(6, 0, 2, 0)
-        self.terms = ElidedLabel()
-        self.terms.setObjectName("judgedTerms")
+        self.terms = named(ElidedLabel(), "judgedTerms")
         # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
         self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        for widget in (self.tau, self.cameras, self.jac):
-            row.addWidget(widget)
-        row.addWidget(self.terms, 1)
+        parts = (self.tau, self.cameras, self.jac, (self.terms, 1))
+        self.setLayout(hbox(*parts, spacing=4, margins=0))
         store = services.store
         store.watch(lambda s: (s.looks, s.active), self._show_cameras)
         store.watch(judged, self._show_score, When.AFTER_PAINT)
@@ -121,19 +100,14 @@ class CameraBar(QWidget):
 
     def _show_cameras(self) -> None:
         """The loaded sets and the active one."""
-        services = self._services
-        names = [tr(_NO_CAMERA), *(s.name for s in [look.cameras for look in services.state.looks])]
-        with QSignalBlocker(self.cameras):
-            if names != self._listed:
-                self._fill_cameras(names)
-            active = services.state.active_cameras
-            chosen = (
-                -1
-                if active is None
-                else [look.cameras for look in services.state.looks].index(active)
-            )
-            self.cameras.setCurrentIndex(chosen + 1)
-        self.cameras.setEnabled(bool([look.cameras for look in services.state.looks]))
+        services, looks = self._services, self._services.state.looks
+        names = [tr(_NO_CAMERA), *(look.cameras.name for look in looks)]
+        if names != self._listed:
+            self._fill_cameras(names)
+        active = services.state.active_cameras
+        cameras = [None, *(look.cameras for look in looks)]
+        self.cameras.setCurrentIndex(cameras.index(active))
+        self.cameras.setEnabled(bool(looks))
         loaded = any(s is not services.fit_source.source for s in services.state.sources)
         self.setVisible(loaded or services.state.active is not None)
         self._show_score()
@@ -148,7 +122,7 @@ class CameraBar(QWidget):
         self.cameras.setMinimumWidth(min(widest, self.cameras.sizeHint().width()))
 
     def _show_score(self) -> None:
-        """JaC, or why there is none."""
+        """Show the JaC, or why there is no JaC."""
         services = self._services
         score = services.scorer.score
         if score is not None and (why := services.state.why_not_judged):
@@ -186,23 +160,21 @@ class SaveState(QLabel):
         self.setFont(fixed_width(self.font()))
         self.setMargin(_SAVED_PAD)
         self.setBackgroundRole(QPalette.ColorRole.Window)  # not that of a tool bar
-        self._services, self._alarm = services, False
+        self._services = services
         store = services.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
-        services.saver.begun.connect(self._show)
-        services.saver.settled.connect(self._show)
+        for signal in (services.saver.begun, services.saver.settled):
+            signal.connect(self._show)
         self._show()
 
-    def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
-        """Show some words, with all of it in the tip.
+    def set_saved(self, text: str, *, alarm: bool = False) -> None:
+        """Show some words; an alarm stands out.
 
         There is always room for the usual words: neighbours stay where they are, and Qt need not
         lay out the bar.
         """
-        self.setToolTip(tip)
         self.setText(text)
-        if alarm != self._alarm:
-            self._alarm = alarm
+        if alarm != self.autoFillBackground():
             colours, font = QPalette(), self.font()
             if alarm:
                 roles = (QPalette.ColorRole.Window, QPalette.ColorRole.WindowText)
@@ -220,18 +192,17 @@ class SaveState(QLabel):
     def _show(self) -> None:
         saver = self._services.saver
         problems = saver.problems
+        self.setToolTip("\n".join(str(p) for p in problems.values()))
         if problems:
-            tip = "\n".join(str(p) for p in problems.values())
-            said = tr_count(len(problems), "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
-            self.set_saved(said, alarm=True, tip=tip)
+            count = len(problems)
+            said = tr_count(count, "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
         elif saver.under_way:
-            self.set_saved(tr("saving..."), alarm=False)
+            said = tr("saving...")
         elif saver.saved_at is not None:
-            self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
-        elif self._services.state.frame is not None:
-            self.set_saved(tr("no changes"), alarm=False)
+            said = tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}")
         else:
-            self.set_saved("", alarm=False)
+            said = tr("no changes") if self._services.state.frame is not None else ""
+        self.set_saved(said, alarm=bool(problems))
 
 
 _PAD = 5
@@ -332,37 +303,29 @@ class TopBar(QToolBar):
             fields: the menu in which a dataset's field is chosen.
         """
         super().__init__(tr("Top bar"))
-        self.setObjectName("topBar")
-        self.setMovable(False)
-        self.setFloatable(False)
-        self.toggleViewAction().setEnabled(False)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        fix_bar(self, "topBar")
         self._services = services
         self._make_labels()
-        self.chip = WordsButton("field", Qt.TextElideMode.ElideMiddle, 18)
-        self.chip.setObjectName("fieldChip")
+        self.chip = named(WordsButton("field", Qt.TextElideMode.ElideMiddle, 18), "fieldChip")
         self.chip.setMenu(fields)
         self.chip.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.camera_bar = CameraBar(services)
         self.saved = SaveState(services)
         self.search = self._make_search(actions["palette"])
         line = QWidget()
-        row = QHBoxLayout(line)
-        row.setContentsMargins(2, 2, 4, 2)
-        row.setSpacing(4)
-        for widget in (
+        parts = (
             _button("previous", actions["previous_frame"]),
             self.position,
             _button("next", actions["next_frame"]),
             self.status,
             _button("done", actions["commit"]),
             self.chip,
-        ):
-            row.addWidget(widget)
-        row.addWidget(self.camera_bar, 1)
-        row.addStretch()
-        row.addWidget(self.saved)
-        row.addWidget(self.search)
+            (self.camera_bar, 1),
+            None,
+            self.saved,
+            self.search,
+        )
+        line.setLayout(hbox(*parts, spacing=4, margins=(2, 2, 4, 2)))
         self.addWidget(IsolatedRow(line))
         store = services.store
         store.watch(lambda s: (s.workspace, s.frame_index), self._show_frame)
@@ -372,20 +335,17 @@ class TopBar(QToolBar):
         self._show_dataset()
 
     def _make_labels(self) -> None:
-        self.position = SteadyLabel()
-        self.position.setObjectName("framePosition")
+        self.position = named(SteadyLabel(), "framePosition")
         self.position.setFont(fixed_width(self.position.font()))
         # Nothing next to it moves when it changes.
         words, advance = (tr(s.value) for s in Status), self.fontMetrics().horizontalAdvance
-        self.status = SteadyLabel(max(words, key=advance))
-        self.status.setObjectName("frameStatus")
+        tip = tr("Status of this frame (panel Review)")
+        self.status = named(SteadyLabel(max(words, key=advance)), "frameStatus", tip=tip)
         self.status.setContentsMargins(4, 0, 4, 0)
-        self.status.setToolTip(tr("Status of this frame (panel Review)"))
 
     def _make_search(self, action: QAction) -> WordsButton:
         search = WordsButton("find", Qt.TextElideMode.ElideRight, 0)
-        search.setObjectName("searchButton")
-        search.setToolTip(action.toolTip())
+        named(search, "searchButton", tip=action.toolTip())
         search.clicked.connect(action.trigger)
 
         def show() -> None:
@@ -421,7 +381,6 @@ class TopBar(QToolBar):
 
 
 def _button(icon: str, action: QAction) -> IconButton:
-    button = IconButton(icon)
-    button.setObjectName(f"top_{icon}")
+    button = named(IconButton(icon), f"top_{icon}")
     button.show_action(action)
     return button

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
+from procc_annotator.gui.commands.opening import OpeningTask, sample_folder
+from procc_annotator.gui.panels.widgets import hbox, make_button, make_label, vbox
 from procc_annotator.gui.settings import RECENT, Settings
 from procc_annotator.translation import tr
 
@@ -19,73 +22,51 @@ _LEAST = 400  # px
 class Welcome(QWidget):
     """Says what to do first, with a button for each way, and offers to go on with what was open."""
 
-    open_folder = Signal()
-    open_picture = Signal()
-    open_video = Signal()
-    open_sample = Signal()
-    open_recent = Signal(Path)
-
-    def __init__(self, *, with_sample: bool) -> None:
+    def __init__(self, opening: OpeningTask, recent: Sequence[Path]) -> None:
         super().__init__()
         self.setObjectName("welcome")
-        title = QLabel(tr("Drop a folder of pictures here"))
+        title = make_label(tr("Drop a folder of pictures here"), wrap=True)
         font = title.font()
         font.setPointSizeF(font.pointSizeF() * 1.6)
         title.setFont(font)
-        text = QLabel(
+        text = make_label(
             tr(
                 "Annotations are read from and saved to SoccerNet JSON beside the pictures. "
                 "Drop a folder of cameras later, to see them judged against your clicks."
-            )
+            ),
+            wrap=True,
         )
         for label in (title, text):
             label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            label.setWordWrap(True)
-        row = QHBoxLayout()
-        row.addStretch()
         buttons = [
-            (tr("Open folder…"), "welcomeFolder", self.open_folder),
-            (tr("Open picture…"), "welcomePicture", self.open_picture),
-            (tr("Open video…"), "welcomeVideo", self.open_video),
+            make_button(tr("Open folder…"), opening.open_folder, "welcomeFolder"),
+            make_button(tr("Open picture…"), opening.open_picture, "welcomePicture"),
+            make_button(tr("Open video…"), opening.open_video, "welcomeVideo"),
         ]
-        if with_sample:
-            buttons.append((tr("Try the sample"), "welcomeSample", self.open_sample))
-        for caption, name, signal in buttons:
-            button = QPushButton(caption)
-            button.setObjectName(name)
-            button.clicked.connect(signal)
-            row.addWidget(button)
-        row.addStretch()
-        layout = QVBoxLayout(self)
-        layout.addStretch()
-        for part in (title, text):
-            layout.addWidget(part)
+        if sample_folder() is not None:
+            sample = make_button(tr("Try the sample"), opening.open_sample, "welcomeSample")
+            buttons.append(sample)
+        layout = vbox(None, title, text, of=self)
         layout.addSpacing(12)
-        layout.addLayout(row)
+        layout.addLayout(hbox(None, *buttons, None))
         layout.addSpacing(24)
-        self._recent = QVBoxLayout()
-        self._recent.setSpacing(2)
-        layout.addLayout(self._recent)
+        centre = Qt.AlignmentFlag.AlignHCenter
+        column = vbox(spacing=2)
+        layout.addLayout(column)
         layout.addStretch()
+        if recent:
+            column.addWidget(QLabel(tr("Go on with")), 0, centre)
+        for path in recent[:_SHOWN]:
+            words, go = described(path).replace("&", "&&"), partial(opening.open_path, path)
+            button = make_button(words, go, "welcomeRecent", tip=str(path))
+            button.setFlat(True)
+            button.setForegroundRole(QPalette.ColorRole.Link)
+            button.setCursor(Qt.CursorShape.PointingHandCursor)
+            column.addWidget(button, 0, centre)
 
     def minimumSizeHint(self) -> QSize:
         """Little: it is behind the picture most of the time, which needs no more."""
         return QSize(_LEAST, _LEAST // 2)
-
-    def show_recent(self, paths: Sequence[Path]) -> None:
-        """Offer what was opened last, newest first."""
-        centre = Qt.AlignmentFlag.AlignHCenter
-        if paths:
-            self._recent.addWidget(QLabel(tr("Go on with")), 0, centre)
-        for path in paths[:_SHOWN]:
-            button = QPushButton(described(path).replace("&", "&&"))
-            button.setObjectName("welcomeRecent")
-            button.setFlat(True)
-            button.setForegroundRole(QPalette.ColorRole.Link)
-            button.setToolTip(str(path))
-            button.setCursor(Qt.CursorShape.PointingHandCursor)
-            button.clicked.connect(lambda _=False, path=path: self.open_recent.emit(path))
-            self._recent.addWidget(button, 0, centre)
 
 
 _LONGEST_FOLDER = 48
@@ -107,9 +88,8 @@ class RecentMenu(QMenu):
         """Make the entries anew."""
         self.clear()
         for path in self._settings.get(RECENT):
-            action = self.addAction(described(path).replace("&", "&&"))
-            action.setToolTip(str(path))
-            action.triggered.connect(lambda _=False, path=path: self._chosen(path))
+            words, go = described(path).replace("&", "&&"), partial(self._chosen, path)
+            self.addAction(words, go).setToolTip(str(path))
         if self.isEmpty():
             self.addAction(tr("Nothing was opened yet")).setEnabled(False)
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from itertools import pairwise
 
+import msgspec
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QDockWidget,
-    QHBoxLayout,
     QMainWindow,
     QSizePolicy,
     QTabBar,
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.panels.widgets import hbox, named
 from procc_annotator.gui.state.visible_update import VisibleUpdate
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr, word
@@ -50,9 +51,8 @@ WORKSPACES: Mapping[str, tuple[str, ...]] = {
     "judge": ("scores", "cameras", "fit", "plots"),
     "review": ("review", "agreement"),
 }
-_PLOTS = "plots"
-_BELOW = frozenset([_PLOTS])  # in a drawer below the picture, which is shut at first
-_LATER = frozenset(["agreement"])  # until there is a second annotator
+_PLOTS = "plots"  # in a drawer below the picture, which is shut at first
+_LATER = "agreement"  # shown once there is a second annotator
 _DRAWER_HEIGHT = 0.38  # of the window's height
 
 
@@ -136,7 +136,7 @@ class Workspaces(QObject):
             dock.hide()  # one above the other they would need more height than the window has
             window.addDockWidget(_area_of(name), dock)
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        in_tabs = [n for names in WORKSPACES.values() for n in names if n not in _BELOW]
+        in_tabs = [n for names in WORKSPACES.values() for n in names if n != _PLOTS]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
         self._looks = {workspace: _first_look(workspace) for workspace in WORKSPACES}
@@ -206,25 +206,24 @@ class Workspaces(QObject):
 
     def _resize_drawer(self, height: int = 0) -> None:
         """Have the drawer so high, px; 0: as it is at first."""
-        drawers = [d for name in _BELOW if not (d := self.by_name[name]).isHidden()]
-        height = height or round(_DRAWER_HEIGHT * self._window.height())
-        if drawers:
-            sizes = [height] * len(drawers)
-            self._window.resizeDocks(drawers, sizes, Qt.Orientation.Vertical)
+        drawer = self.by_name[_PLOTS]
+        if not drawer.isHidden():
+            height = height or round(_DRAWER_HEIGHT * self._window.height())
+            self._window.resizeDocks([drawer], [height], Qt.Orientation.Vertical)
 
     def _look(self) -> _Look:
         docks = self.by_name
         names = WORKSPACES[self.workspace]
         opened = tuple(name for name in names if not docks[name].isHidden())
-        in_tabs = [n for n in opened if n not in _BELOW]
+        in_tabs = [n for n in opened if n != _PLOTS]
         shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
         front = shown[0] if shown else (in_tabs or names)[0]
         field_map = docks["field_map"]
         height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
         width = docks[front].width() if opened and not docks[front].isFloating() else 0
         drawer = self._looks[self.workspace].drawer_height
-        for name in _BELOW & set(opened):
-            drawer = docks[name].height()
+        if _PLOTS in opened:
+            drawer = docks[_PLOTS].height()
         return _Look(opened, front, width, height, drawer)
 
     def show(self, name: str) -> None:
@@ -235,7 +234,7 @@ class Workspaces(QObject):
         workspace = next(found, self.workspace)
         if not dock.isFloating():
             self._turn_to(workspace)
-        opens = dock.isHidden() and name in _BELOW
+        opens = dock.isHidden() and name == _PLOTS
         dock.show()
         dock.raise_()
         if opens:
@@ -315,11 +314,11 @@ class Workspaces(QObject):
 
 def _first_look(workspace: str) -> _Look:
     names = WORKSPACES[workspace]
-    return _Look(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
+    return _Look(tuple(name for name in names if name not in (_LATER, _PLOTS)), names[0])
 
 
 def _area_of(name: str) -> Qt.DockWidgetArea:
-    if name in _BELOW:
+    if name == _PLOTS:
         return _BOTTOM
     return _LEFT if name == "frames" else _RIGHT
 
@@ -327,19 +326,13 @@ def _area_of(name: str) -> Qt.DockWidgetArea:
 def _look_of(workspace: str, kept: object) -> _Look | None:
     """Return a look as it was kept, without unknown docks; None if it cannot be read. A panel that
     waits for something to be opened is closed until then."""
-    if not isinstance(kept, dict) or not isinstance(kept.get("open"), list):
+    try:
+        look = msgspec.convert(kept, _Look)
+    except msgspec.ValidationError:
         return None
-    names = [n for n in WORKSPACES[workspace] if n in kept["open"] and n not in _LATER]
-    front = kept.get("front")
-    sizes = [kept.get(name) for name in ("width", "map_height", "drawer_height")]
-    width, height, drawer = (size if isinstance(size, int) else 0 for size in sizes)
-    return _Look(
-        tuple(names),
-        str(front) if front in names else (names or WORKSPACES[workspace])[0],
-        width,
-        height,
-        drawer,
-    )
+    names = [n for n in WORKSPACES[workspace] if n in look.open and n != _LATER]
+    front = look.front if look.front in names else (names or WORKSPACES[workspace])[0]
+    return replace(look, open=tuple(names), front=front)
 
 
 _TITLES = {
@@ -347,7 +340,7 @@ _TITLES = {
     "judge": word("Judge", "desk"),
     "review": word("Review", "desk"),
 }
-_ROOM = 6  # px around the words: no more than the menus have beside them
+_ROOM = 6  # px around the words, as menus have
 
 
 class WorkspaceSwitch(QWidget):
@@ -356,18 +349,15 @@ class WorkspaceSwitch(QWidget):
     def __init__(self, window: QMainWindow, actions: Actions) -> None:
         super().__init__(window)
         self.setObjectName("deskSwitch")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 4, 0)
-        row.setSpacing(2)
+        row = hbox(spacing=2, margins=(0, 0, 4, 0))
         for workspace in WORKSPACES:
             action = actions[f"desk_{workspace}"]
             action.setIconText(tr(_TITLES[workspace], "desk"))
-            button = QToolButton()
-            button.setObjectName(f"desk_{workspace}")
+            button = named(QToolButton(autoRaise=True), f"desk_{workspace}")
             button.setDefaultAction(action)
-            button.setAutoRaise(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             row.addWidget(button)
+        self.setLayout(row)
         self._lower_buttons()
         if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
             bar = window.addToolBar(tr("Desks"))
@@ -392,37 +382,26 @@ class PlotsHandle(QToolButton):
     What is torn off is no drawer any more: the handle brings it to the front.
     """
 
-    def __init__(self, workspaces: Workspaces) -> None:
+    def __init__(self, workspaces: Workspaces, action: QAction) -> None:
+        """Show the keys of an action that does the same."""
         super().__init__()
         self.setObjectName("drawerHandle")
+        self._workspaces, self._action = workspaces, action
         self._dock = workspaces.by_name[_PLOTS]
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._keys = ""
-        self._dock.visibilityChanged.connect(self._show_state)
-        self.clicked.connect(workspaces.toggle_plots)
-        workspaces.turned.connect(self._show_for)
-        self._show_for(workspaces.workspace)
-
-    def take_keys(self, action: QAction) -> None:
-        """Show the keys that do the same, whatever they are."""
-        action.changed.connect(lambda: self._take_keys(action))
-        self._take_keys(action)
-
-    def _show_for(self, workspace: str) -> None:
-        self.setVisible(_PLOTS in WORKSPACES[workspace])
-        self._show_state()
-
-    def _take_keys(self, action: QAction) -> None:
-        self._keys = action.shortcut().toString()
+        self.clicked.connect(action.trigger)
+        for changed in (self._dock.visibilityChanged, workspaces.turned, action.changed):
+            changed.connect(self._show_state)
         self._show_state()
 
     def _show_state(self) -> None:
-        title = tr("Plots")
-        self.setText(f"{title}  {self._keys}" if self._keys else title)
+        self.setVisible(_PLOTS in WORKSPACES[self._workspaces.workspace])
+        title, keys = tr("Plots"), self._action.shortcut().toString()
+        self.setText(f"{title}  {keys}" if keys else title)
         shut = self._dock.isHidden() or self._dock.isFloating()
         self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
-        told = tr("Open the plots below the picture") if shut else tr("Shut the plots")
-        self.setToolTip(told)
-        self.setAccessibleName(told)
+        words = tr("Open the plots below the picture") if shut else tr("Shut the plots")
+        self.setToolTip(words)
+        self.setAccessibleName(words)

@@ -173,18 +173,18 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(services, qtbot
 
 @pytest.mark.parametrize("how", ["closed", "another annotator", "another dataset"])
 def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
-    widget, open_services, dataset, other, tmp_path, qtbot, how
+    show, open_services, dataset, other, tmp_path, qtbot, how
 ):
     for number in range(3):
         annotate(tmp_path / "second", f"frame_{number}", TOP, 0.51)
     services = open_services(dataset)
-    panel = AgreementPanel(services, widget)
+    show(AgreementPanel(services))
     let_work_end(qtbot)
     if how == "another annotator":
-        panel.open(tmp_path / "second")
+        services.second_annotator.open(tmp_path / "second")
         qtbot.waitUntil(lambda: services.state.noise_floor is not None)
     with busy():
-        panel.open(tmp_path / "second" if how != "another annotator" else other)
+        services.second_annotator.open(tmp_path / "second" if how != "another annotator" else other)
         if how == "closed":
             services.second_annotator.close()
         elif how == "another dataset":

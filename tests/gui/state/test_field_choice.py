@@ -18,7 +18,7 @@ from procc_annotator.dataset.layout import FIELD_FILE
 from procc_annotator.field.load import builtin_field_file, field_titles, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.commands.field_choosing import FieldBar, FieldChoosing
-from procc_annotator.gui.element_keys import element_keys, key_text
+from procc_annotator.gui.keymap import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.services import Services

@@ -33,10 +33,10 @@ from procc_annotator.dataset.review import check_without_fit, store_check
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.commands.label_check import LabelCheckCommands
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.elements import CHECK
-from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel
+from procc_annotator.gui.panels.elements import POINTS
+from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.window.canvas_menu import canvas_menu
+from procc_annotator.gui.window.menus import canvas_menu
 from tests.gui.conftest import heard
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
@@ -462,9 +462,7 @@ def window(make_window, annotated, qtbot) -> MainWindow:
 
 @pytest.fixture
 def panel(services, commands, show) -> FindingsPanel:
-    panel = FindingsPanel(services)
-    commands.serve(panel)
-    return show(panel)
+    return show(FindingsPanel(services, commands))
 
 
 def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
@@ -476,16 +474,16 @@ def test_findings_are_marked_on_picture_list_and_map(window, qtbot):
     assert labels["hint"].texts == ("",)
     window.panels.show("elements")
     tree, items = window.elements.tree, window.elements._items
-    qtbot.waitUntil(lambda: not items[FRONT].icon(CHECK).isNull())
-    assert "Error: Big rect. left main is off" in items[FRONT].toolTip(CHECK)
+    qtbot.waitUntil(lambda: not items[FRONT].icon(POINTS).isNull())
+    assert "Error: Big rect. left main is off" in items[FRONT].toolTip(POINTS)
     # the sign is whole
-    qtbot.waitUntil(lambda: tree.columnWidth(CHECK) >= tree.sizeHintForColumn(CHECK))
+    qtbot.waitUntil(lambda: tree.columnWidth(POINTS) >= tree.sizeHintForColumn(POINTS))
     assert "Error: Big rect. left main is off" in window.field_map._tip(FRONT)
     at = window.canvas.to_view(*labels["hint"].positions[0].tolist())
     assert "Circle left is off" in window.finding_tips.tip_at(at + QPointF(14, 12))
     assert window.finding_tips.tip_at(at + QPointF(0, 300)) == ""
     put(window.services)
-    qtbot.waitUntil(lambda: items[FRONT].icon(CHECK).isNull())
+    qtbot.waitUntil(lambda: items[FRONT].icon(POINTS).isNull())
     qtbot.waitUntil(lambda: not any(len(x.texts) for x in item.overlay.labels if x.sign))
 
 

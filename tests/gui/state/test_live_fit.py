@@ -27,9 +27,10 @@ from procc_annotator.formats.cameras.soccernet import read_camera
 from procc_annotator.gui.commands.exporting import Exporter
 from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
+from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.fit import FitPanel
-from procc_annotator.gui.panels.plots.data import PlotSources
+from procc_annotator.gui.panels.plots.page import PlotSources
+from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.prediction import live_fit
 from procc_annotator.gui.state.services import Services
@@ -465,9 +466,9 @@ def test_it_says_that_it_is_of_these_clicks(services, show, annotated, qtbot):
     marks = {s.name: s.fitted.mark for s in services.state.sources}
     assert marks == {"kept": mark, "fit": mark}
     for row in (0, 1):
-        label = panel.findChild(QLabel, f"cameras_model_{row}")
+        label = panel.findChild(ElidedLabel, f"cameras_model_{row}")
         qtbot.waitUntil(lambda label=label: mark in label.toolTip())
-    request, _ = PlotSources(services).request("set", None)
+    request = PlotSources(services).request("set", None)
     assert all(source.fitted for source in request.sources)
     services.editing.commit_edit("nudge", nudged(services.state.annotation, 0.05))
     arrive(services, qtbot)
@@ -477,7 +478,7 @@ def test_it_says_that_it_is_of_these_clicks(services, show, annotated, qtbot):
         "kept": other,
         "fit": mark,
     }
-    label = panel.findChild(QLabel, "cameras_model_0")
+    label = panel.findChild(ElidedLabel, "cameras_model_0")
     qtbot.waitUntil(lambda: other in label.toolTip())
 
 

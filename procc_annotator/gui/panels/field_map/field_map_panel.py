@@ -18,12 +18,12 @@ from PySide6.QtGui import (
     QPen,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolTip
 
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
-from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.keymap import key_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
     ElementState,
@@ -42,11 +42,11 @@ from procc_annotator.gui.panels.field_map.painting import (
     paint_spot,
     part_to_show,
 )
-from procc_annotator.gui.panels.findings.finding_rows import findings_by_element, reasons_of
-from procc_annotator.gui.roles import give_role
+from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
+from procc_annotator.gui.panels.widgets import Panel
 from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.theme import muted
+from procc_annotator.gui.theme import give_role, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.translation import tr
 
@@ -72,28 +72,24 @@ _WAYS = {
 }
 
 
-class FieldMapPanel(QWidget):
+class FieldMapPanel(Panel):
     """Displays the state's field, annotation, score, selection and hover; clicks select."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "field_map_panel", (300, 220))
         give_role(self, QAccessible.Role.Canvas)
-        self.setObjectName("field_map_panel")
         self.setAccessibleName(tr("Field map"))
         self.setAccessibleDescription(tr("The arrows choose elements"))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self._services = services
         self._shape = FieldShape.of(services.state.field)
         self._states: dict[str, ElementState] = {}
         self._next: AnnotationSuggestion | None = None
         self._findings: Mapping[str, tuple[StoredFinding, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             judged,
             services.review.notVisibleChanged,
             services.label_check.changed,
@@ -111,14 +107,11 @@ class FieldMapPanel(QWidget):
         services.store.watch(lambda s: s.field, self._take_field)
         services.field_choice.preparing.append(FieldShape.of)
 
-    def sizeHint(self) -> QSize:
-        return QSize(300, 220)
-
     def minimumSizeHint(self) -> QSize:
         return QSize(160, 120)
 
     def class_at(self, position: QPointF) -> str | None:
-        """The class whose line is at a position of the widget."""
+        """The class with a line at a position of the widget."""
         placed = self._placement()
         x, y = placed.to_field(position)
         return self._shape.pick(x, y, _PICK_POINTS / placed.scale)

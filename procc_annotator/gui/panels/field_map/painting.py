@@ -6,7 +6,6 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF, QTransform
 
@@ -66,20 +65,12 @@ class Placement:
         origin = room.topLeft() + QPointF(*_size(room)) / 2 - middle + view.shift
         moved = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
         transform = QTransform().rotate(90.0 * turns) * moved
-        matrix = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
 
-        def place(line: FloatArray) -> list[QPointF]:
-            at = line @ matrix + (origin.x(), origin.y())
-            return [QPointF(x, y) for x, y in at.tolist()]
+        def placed(points: FloatArray) -> QPolygonF:
+            return transform.map(QPolygonF([QPointF(x, y) for x, y in points.tolist()]))
 
-        corners = place(np.reshape(shape.ground, (2, 2)))
-        return cls(
-            scale,
-            transform,
-            tuple(QPolygonF(place(line)) for line in shape.lines),
-            tuple(place(shape.anchors)),
-            QRectF(*corners).normalized(),
-        )
+        lines, anchors = tuple(map(placed, shape.lines)), tuple(placed(shape.anchors).toList())
+        return cls(scale, transform, lines, anchors, transform.mapRect(_rect(shape.ground)))
 
     def to_widget(self, x: float, y: float) -> QPointF:
         """The position in the widget of metres on the map."""
@@ -99,9 +90,12 @@ def scale_to_fit(part: Bounds, room: QRectF, turns: int) -> float:
 
 
 def _turned(part: Bounds, turns: int) -> QRectF:
+    return QTransform().rotate(90.0 * turns).mapRect(_rect(part))
+
+
+def _rect(part: Bounds) -> QRectF:
     left, top, right, bottom = part
-    turned = QTransform().rotate(90.0 * turns)
-    return turned.mapRect(QRectF(left, top, right - left, bottom - top))
+    return QRectF(left, top, right - left, bottom - top)
 
 
 def _size(room: QRectF) -> tuple[float, float]:
@@ -109,7 +103,7 @@ def _size(room: QRectF) -> tuple[float, float]:
 
 
 class MapView:
-    """Zoom and shift of a map, changed by hands.
+    """Zoom and shift of a map, changed by the mouse.
 
     Attributes:
         zoom: 1 where the whole map is in sight.
@@ -134,8 +128,8 @@ class MapView:
             cursor, centre: the mouse, and the middle of the map's room, widget points.
         """
         zoom = min(_LARGEST, max(1.0, self.zoom * _STEP**turned))
-        beside = cursor - centre
-        self.shift = beside - (beside - self.shift) * (zoom / self.zoom)
+        offset = cursor - centre
+        self.shift = offset - (offset - self.shift) * (zoom / self.zoom)
         self.zoom = zoom
         if zoom == 1.0:
             self.shift = QPointF()
@@ -161,7 +155,7 @@ class MapView:
 
 
 _STEEPEST = 3.0  # how much farther aside than along the way something may lie
-_ASIDE = 2.0  # how much farther counts what lies aside of the way
+_ASIDE = 2.0  # how much farther an element counts that is off the direction
 
 
 def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str | None:

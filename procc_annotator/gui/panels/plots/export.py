@@ -17,15 +17,13 @@ from PySide6.QtGui import (
     QPainter,
     QPalette,
 )
-from PySide6.QtWidgets import QWidget
 
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.panels.plots.data import PlotRequest
-from procc_annotator.gui.panels.plots.legend import Legend
-from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.messages import ask_where, write
+from procc_annotator.gui.panels.plots.page import Legend, PlotPage, PlotRequest
+from procc_annotator.gui.panels.widgets import Panel
 from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.tables.data_files import CRLF, csv_bytes
 from procc_annotator.report.window_tables import plot_table
 from procc_annotator.translation import tr, tr_count
@@ -143,12 +141,11 @@ def _png(image: QImage) -> bytes:
     return bytes(held.data())
 
 
-class ExportablePlot(QWidget):
+class ExportablePlot(Panel):
     """A panel with one plot on show, which can be copied and saved."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "plots_panel", (300, 360))
         self.legend = Legend()
         # What is drawn, and what there is to say of it; None until something of this page is.
         self._data: Any = None

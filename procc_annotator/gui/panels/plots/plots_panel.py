@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any
 
-from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QGridLayout,
-    QHBoxLayout,
-    QLabel,
     QMenu,
     QSizePolicy,
-    QStackedLayout,
+    QStackedWidget,
     QToolButton,
-    QVBoxLayout,
-    QWidget,
 )
 
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
 from procc_annotator.gui.panels.plots.export import ExportablePlot
-from procc_annotator.gui.panels.plots.page import PlotPage
-from procc_annotator.gui.panels.widgets import choice, empty_state
+from procc_annotator.gui.panels.plots.page import PlotPage, PlotRequest, PlotSources
+from procc_annotator.gui.panels.widgets import choice, empty_state, hbox, make_label, named, vbox
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import as_sentence, no_frame, no_source
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
@@ -37,18 +32,17 @@ _ALL_CLASSES = -1
 _WIDE = 34  # lines of text: then what is chosen stands in one row
 
 
-class _Kind(Protocol):
-    """A kind of page, which is called to make one."""
-
-    title: str
-
-    def __call__(self) -> PlotPage[Any]: ...
+_Kind = type[PlotPage[Any]]
 
 
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; loaded when the panel is first seen."""
-    from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
-    from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
+    from procc_annotator.gui.panels.plots.pages import (
+        HistogramPage,
+        TauPage,
+        TimelinePage,
+        VectorsPage,
+    )
 
     return (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
@@ -56,9 +50,8 @@ def _kinds() -> tuple[_Kind, ...]:
 class PlotsPanel(ExportablePlot):
     """Chooses a plot and what it is of; what it shows is computed in the background for a set."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(services, parent)
-        self.setObjectName("plots_panel")
+    def __init__(self, services: Services) -> None:
+        super().__init__(services)
         self._sources = PlotSources(services)
         self._kinds: tuple[_Kind, ...] = ()
         self._made: dict[_Kind, PlotPage[Any]] = {}
@@ -68,16 +61,11 @@ class PlotsPanel(ExportablePlot):
         self._drawn: tuple[object, ...] | None = None
         self._in_sight = False
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
             services.store.events.sourceAuditsChanged,
             services.review.statusChanged,
         )
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 360)
 
     # --- building -------------------------------------------------------------------------
 
@@ -97,11 +85,9 @@ class PlotsPanel(ExportablePlot):
         self.classes.blockSignals(blocked)
 
     def _build_more(self) -> QToolButton:
-        more = QToolButton()
-        more.setObjectName("plots_more")
+        tip = tr("Copy or save the plot and its numbers")
+        more = named(QToolButton(), "plots_more", tip=tip, title=tr("Copy or save the plot"))
         more.setText(tr("Save"))
-        more.setToolTip(tr("Copy or save the plot and its numbers"))
-        more.setAccessibleName(tr("Copy or save the plot"))
         more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(more)
         for name, text, slot in (
@@ -110,53 +96,43 @@ class PlotsPanel(ExportablePlot):
             ("save_picture", tr("Save picture…"), self.ask_picture),
             ("save_numbers", tr("Save numbers…"), self.ask_numbers),
         ):
-            action = menu.addAction(text, slot)
-            action.setObjectName(f"plots_{name}")
+            menu.addAction(text, slot).setObjectName(f"plots_{name}")
         more.setMenu(menu)
         return more
 
     def _build(self) -> None:
         self.chooser = choice("plots_page", tr("Plot"))
         self.chooser.currentIndexChanged.connect(self._turn_page)
-        self.scope = choice("plots_scope", tr("Frames"))
-        for scope, words in _SCOPES.items():
-            self.scope.addItem(tr(words), scope)
-        self.scope.setToolTip(tr("Plot the frame on screen, or all frames scored so far"))
+        self.scope = choice(
+            "plots_scope",
+            tr("Frames"),
+            tip=tr("Plot the frame on screen, or all frames scored so far"),
+            items=[(tr(words), scope) for scope, words in _SCOPES.items()],
+        )
         self.scope.currentIndexChanged.connect(self._redraw)
-        self.classes = choice("plots_class", tr("Element"))
-        self.classes.setToolTip(tr("Plot the points of one element only"))
+        tip = tr("Plot the points of one element only")
+        self.classes = choice("plots_class", tr("Element"), tip=tip)
         self._offer_classes()
         self._services.store.watch(select.field, self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
         self.more = self._build_more()
-        first = QHBoxLayout()
-        first.addWidget(self.chooser, 1)
-        first.addWidget(self.more)
         second = QGridLayout()
-        second.addWidget(self.scope, 0, 0)
-        second.addWidget(self.classes, 0, 1)
-        second.setColumnStretch(0, 1)
-        second.setColumnStretch(1, 1)
+        for place, part in enumerate((self.scope, self.classes)):
+            second.addWidget(part, 0, place)
+            second.setColumnStretch(place, 1)
         self.empty = empty_state("", "plots_empty")
-        self._stack = QStackedLayout()
-        self.notes = QLabel()
-        self.notes.setObjectName("plots_notes")
-        self.notes.setWordWrap(True)
+        self._stack = QStackedWidget()
+        self._stack.addWidget(self.empty)
+        self.notes = make_label(name="plots_notes", wrap=True)
         self.notes.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.notes.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.notes.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.setSpacing(4)
         self._choices = QBoxLayout(QBoxLayout.Direction.TopToBottom)
         self._choices.setSpacing(4)
-        self._choices.addLayout(first, 1)
+        self._choices.addLayout(hbox((self.chooser, 1), self.more), 1)
         self._choices.addLayout(second, 1)
-        layout.addLayout(self._choices)
-        layout.addWidget(self.legend)
-        layout.addLayout(self._stack, 1)
-        self._stack.addWidget(self.empty)
-        layout.addWidget(self.notes)
+        parts = (self._choices, self.legend, (self._stack, 1), self.notes)
+        vbox(*parts, of=self, spacing=4, margins=6)
         self._read_out("")
 
     def _read_out(self, text: str) -> None:
@@ -188,9 +164,7 @@ class PlotsPanel(ExportablePlot):
         """The chosen plot; made (and pyqtgraph imported) when it is first asked for."""
         page = self._made.get(self._kind)
         if page is None:
-            page = self._made[self._kind] = self._kind()
-            page.tauChosen.connect(self._services.evaluation.set_tau)
-            page.frameChosen.connect(self._services.navigator.go_to)
+            page = self._made[self._kind] = self._kind(self._services)
             page.readout.connect(self._read_out)
             page.changed.connect(self._redraw)
             self._stack.addWidget(page)
@@ -233,7 +207,7 @@ class PlotsPanel(ExportablePlot):
         page = self.page
         self.scope.setVisible(len(page.scopes) > 1)
         self.classes.setVisible(page.by_class)
-        request, restrict = self._make_request(page)
+        request = self._make_request(page)
         key = self._key(page, request)
         if key == self._drawn:
             if self._request is not None:  # what is drawn, with another frame and tau
@@ -247,7 +221,7 @@ class PlotsPanel(ExportablePlot):
         if self._computing.running:
             self._again = True
             return
-        self._compute(page, key, request, restrict)
+        self._compute(page, key, request)
 
     def _forget(self, why: str) -> None:
         self._cancel()
@@ -259,7 +233,7 @@ class PlotsPanel(ExportablePlot):
         self.more.setEnabled(False)
         self._stack.setCurrentWidget(self.empty)
 
-    def _make_request(self, page: PlotPage[Any]) -> tuple[PlotRequest, Restrict]:
+    def _make_request(self, page: PlotPage[Any]) -> PlotRequest:
         scope = self.scope.currentData()
         if scope not in page.scopes:
             scope = page.scopes[0]
@@ -278,15 +252,9 @@ class PlotsPanel(ExportablePlot):
             self._sources.version(request.scope),
         )
 
-    def _compute(
-        self,
-        page: PlotPage[Any],
-        key: tuple[object, ...],
-        request: PlotRequest,
-        restrict: Restrict,
-    ) -> None:
+    def _compute(self, page: PlotPage[Any], key: tuple[object, ...], request: PlotRequest) -> None:
         def work(control: JobControl) -> tuple[PlotRequest, Any]:
-            allowed = restrict(request)
+            allowed = request.revealed()
             return allowed, page.compute(allowed)
 
         def done(result: tuple[PlotRequest, Any]) -> None:

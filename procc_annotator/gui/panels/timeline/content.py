@@ -21,7 +21,7 @@ from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction import palette as tones
 
-_FEWEST = 20.0  # frames across the whole strip; nobody wants fewer
+_FEWEST = 20.0  # frames across the strip, fully zoomed in
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +187,7 @@ class StripContent(QObject):
         sequence: the frames; None while nothing is open that has an order in time.
         band: what is known of each frame's camera.
         anchors: (n,) numbers of annotated frames, ascending.
-        dragged: those of frames whose camera a person dragged, ascending.
+        dragged: those of frames with a camera that a person dragged, ascending.
         statuses: number -> status, of the frames that were touched.
     """
 
@@ -198,7 +198,7 @@ class StripContent(QObject):
         self._services = services
         self.sequence: FrameSequence | None = None
         self.band = Band.unknown(0)
-        self._told: dict[int, TrackedFrame] = {}  # what the band tells, by number
+        self._drawn: dict[int, TrackedFrame] = {}  # what the band shows, by number
         self.anchors: tuple[int, ...] = ()
         self.dragged: tuple[int, ...] = ()
         self.statuses: dict[int, Status] = {}
@@ -228,7 +228,7 @@ class StripContent(QObject):
             return
         self.sequence = sequence
         self._services.annotated_frames.set_wanted(sequence is not None)
-        self.band, self._told = Band.unknown(0 if sequence is None else sequence.count), {}
+        self.band, self._drawn = Band.unknown(0 if sequence is None else sequence.count), {}
         self._take_track()
         self._take_anchors()
         self._take_dragged()
@@ -239,12 +239,12 @@ class StripContent(QObject):
         """Other frames than before may be known; most of them are those of before."""
         if (sequence := self.sequence) is None:
             return
-        tracked, told = self._services.shot_track.tracked, self._told
+        tracked, drawn = self._services.shot_track.tracked, self._drawn
         self._pending.clear()
-        for number in told.keys() - tracked.keys():
+        for number in drawn.keys() - tracked.keys():
             self.band.coverage[number - sequence.first] = math.nan
-            del told[number]
-        self._take_followed([f for n, f in tracked.items() if told.get(n) is not f])
+            del drawn[number]
+        self._take_followed([f for n, f in tracked.items() if drawn.get(n) is not f])
 
     def _take_followed(self, frames: Iterable[TrackedFrame]) -> None:
         if self.sequence is not None:
@@ -260,7 +260,7 @@ class StripContent(QObject):
             frame = self._pending.pop(number)
             if sequence.first <= number <= sequence.last:
                 _put(self.band, number - sequence.first, frame)
-                self._told[number] = frame
+                self._drawn[number] = frame
         if self._pending:
             self._go_on.start()
         self.changed.emit()

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, SignalInstance
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
     QAccessible,
     QFocusEvent,
@@ -28,11 +28,11 @@ from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.panels.timeline.content import Axis, StripContent
-from procc_annotator.gui.panels.timeline.painting import Rows, paint_here, paint_strip, strip_rows
-from procc_annotator.gui.roles import give_role
+from procc_annotator.gui.panels.timeline.painting import StripPainter
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
+from procc_annotator.gui.theme import give_role
 from procc_annotator.translation import tr, word
 
 # How a frame's camera came about.
@@ -99,7 +99,7 @@ def _of_track(services: Services, number: int) -> list[str]:
 
 
 _WHEEL_STEP = 1.25
-_SIDE = 8  # px beside the frames
+_SIDE = 8  # px left and right of the frames
 
 
 class StripTask(Protocol):
@@ -130,7 +130,7 @@ class ShotStrip(QWidget):
         content: what is shown.
     """
 
-    def __init__(self, services: Services) -> None:
+    def __init__(self, services: Services, editor: Editor) -> None:
         super().__init__()
         give_role(self, QAccessible.Role.Slider)
         self.setObjectName("shotStrip")
@@ -144,7 +144,7 @@ class ShotStrip(QWidget):
         self.content = StripContent(services, self)
         self._axis: Axis | None = None
         self._followed: FrameSequence | None = None  # what the axis is of
-        self._aim: int | None = None  # the number under a hand that drags
+        self._aim: int | None = None  # the number that is dragged to
         self._mark_from: int | None = None
         self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
         self._tasks: tuple[StripTask, ...] = ()
@@ -157,6 +157,35 @@ class ShotStrip(QWidget):
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
             self.content.changed,
         )
+        self._editor, self._wanted, self._begun = editor, True, False
+        self.setVisible(False)
+        services.sequence.changed.connect(self._take_sequence)
+        editor.changed.connect(self._note_begun)
+        watch = services.store.watch
+        watch(lambda s: (s.shown_annotation, s.selection), self._note_begun, When.GESTURE)
+        watch(select.frame, self._take_frame)
+
+    # --- whether it is shown ----------------------------------------------------------------
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Show it where frames follow one another, or never."""
+        self._wanted = wanted
+        self._show_if_wanted()
+
+    def _take_frame(self) -> None:
+        """Another frame is on screen: the picture may move."""
+        self._begun = False
+        self._show_if_wanted()
+
+    def _note_begun(self) -> None:
+        self._begun = True
+
+    def _take_sequence(self) -> None:
+        if not self._begun and not self._editor.drawing:
+            self._show_if_wanted()
+
+    def _show_if_wanted(self) -> None:
+        self.setVisible(self._wanted and self._services.sequence.value is not None)
 
     def show_tasks(self, *tasks: StripTask) -> None:
         """Say how far these are, and which stretch is marked."""
@@ -200,34 +229,25 @@ class ShotStrip(QWidget):
     def _room(self) -> float:
         return max(1.0, self.width() - 2.0 * _SIDE)
 
-    def _rows(self) -> Rows:
-        return strip_rows(self.fontMetrics())
-
     def sizeHint(self) -> QSize:
-        return QSize(400, self._rows().height)
+        return QSize(400, StripPainter.height(self.fontMetrics()))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(120, self._rows().height)
+        return QSize(120, StripPainter.height(self.fontMetrics()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         axis = self.axis
         if axis is None:
             return
-        painter = QPainter(self)
         area = QRectF(_SIDE, 0, self._room(), self.height())
-        painter.drawPixmap(0, 0, self._frames_painted(axis, area))
-        far = next(filter(None, (task.words() for task in self._tasks)), "")
-        paint_here(
-            painter,
-            axis,
-            area,
-            colours=self.palette(),
-            number=self.number,
-            words=(strip_words(self._services, self.content, self.number), far),
-        )
-        painter.end()
+        strip = StripPainter(self.fontMetrics(), axis, area, self.palette())
+        with QPainter(self) as painter:
+            painter.drawPixmap(0, 0, self._frames_painted(axis, strip))
+            far = next(filter(None, (task.words() for task in self._tasks)), "")
+            words = strip_words(self._services, self.content, self.number)
+            strip.paint_here(painter, self.number, words, far)
 
-    def _frames_painted(self, axis: Axis, area: QRectF) -> QPixmap:
+    def _frames_painted(self, axis: Axis, strip: StripPainter) -> QPixmap:
         """All but what changes from frame to frame, painted anew where it changed."""
         ratio = self.devicePixelRatioF()
         of = (axis, self.size(), ratio, self.stretch, self.content.hidden, self.palette())
@@ -235,18 +255,15 @@ class ShotStrip(QWidget):
             self._painted_of = of
             self._painted = QPixmap(self.size() * ratio)
             self._painted.setDevicePixelRatio(ratio)
-            painter = QPainter(self._painted)
-            painter.setFont(self.font())
-            paint_strip(
-                painter, self.content, axis, area, colours=self.palette(), stretch=self.stretch
-            )
-            painter.end()
+            with QPainter(self._painted) as painter:
+                painter.setFont(self.font())
+                strip.paint_frames(painter, self.content, self.stretch)
         return self._painted
 
     def _paint_anew(self) -> None:
         self._painted = None
 
-    # --- hands ------------------------------------------------------------------------------
+    # --- keys and mouse ---------------------------------------------------------------------
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         sequence, number = self.content.sequence, self.number
@@ -266,7 +283,7 @@ class ShotStrip(QWidget):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._aim = None  # somebody else hears that the key comes up
+        self._aim = None  # another widget gets the release of the key
         self.update()
 
     def _go_by_key(self, number: int, far: int, *, marking: bool) -> None:
@@ -354,42 +371,3 @@ class ShotStrip(QWidget):
         assert self._mark_from is not None
         self.stretch = min(self._mark_from, number), max(self._mark_from, number)
         self.update()
-
-
-class StripVisibility(QObject):
-    """Shows and hides the strip."""
-
-    def __init__(self, services: Services, editor: Editor, strip: ShotStrip) -> None:
-        super().__init__(strip)
-        self._services, self._editor, self._strip = services, editor, strip
-        self._wanted, self._begun = True, False
-        strip.setVisible(False)
-        services.sequence.changed.connect(self._look)
-        editor.changed.connect(self._note)
-        services.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
-        services.store.watch(select.frame, self._begin)
-
-    @property
-    def wanted(self) -> bool:
-        """Return whether a person wants it where there is one."""
-        return self._wanted
-
-    def set_wanted(self, wanted: bool) -> None:
-        """Show it where there is one, or do not."""
-        self._wanted = wanted
-        self._show()
-
-    def _begin(self) -> None:
-        """A frame came whole."""
-        self._begun = False
-        self._show()
-
-    def _note(self) -> None:
-        self._begun = True
-
-    def _look(self) -> None:
-        if not self._begun and not self._editor.drawing:
-            self._show()
-
-    def _show(self) -> None:
-        self._strip.setVisible(self._wanted and self._services.sequence.value is not None)

@@ -4,31 +4,32 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QAction, QPalette
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
-    QComboBox,
     QFileDialog,
     QFormLayout,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
-    QPushButton,
-    QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.formats.cameras.registry import format_titles, suffixes_of
-from procc_annotator.gui.panels.cameras.sources import SourceList, colour_icon
+from procc_annotator.gui.panels.camera_sources import SourceList, colour_icon
 from procc_annotator.gui.panels.widgets import (
+    Panel,
     ScrolledContent,
     box_of,
+    caption,
     choice,
     empty_state,
+    hbox,
+    make_button,
+    make_label,
     note_label,
     scrolling,
     show_note,
+    vbox,
 )
 from procc_annotator.gui.state.availability import as_sentence, hidden
 from procc_annotator.gui.state.maps import Compared
@@ -45,27 +46,28 @@ _FIGURES = ("minimum", "median", "maximum")
 class ComparingSection(QWidget):
     """Part of the cameras panel; there only while there is something to compare."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, services: Services) -> None:
+        super().__init__()
         self._services = services
-        self.other = choice("cameras_compared", tr("Source to compare with"))
-        self.other.setToolTip(tr("Held against the active source: comma, split view, disagreement"))
-        self.other.activated.connect(self._choose)
-        caption = QLabel(tr("Compare with"))
-        caption.setBuddy(self.other)
-        row = QHBoxLayout()
-        row.addWidget(caption)
-        row.addWidget(self.other, 1)
-        self._boxes = QHBoxLayout()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 4, 0, 0)
-        layout.setSpacing(4)
-        layout.addLayout(row)
-        layout.addLayout(self._boxes)
+        self.other = choice(
+            "cameras_compared",
+            tr("Source to compare with"),
+            tip=tr("Held against the active source: comma, split view, disagreement"),
+            chosen=services.camera_sources.compare_with,
+        )
+        self._boxes = hbox()
         self.figures = _Figures()
-        layout.addWidget(self.figures)
         self.problem = note_label("disagreement_problem")
-        layout.addWidget(self.problem)
+        choose = caption(tr("Compare with"), self.other)
+        vbox(
+            choose,
+            self._boxes,
+            self.figures,
+            self.problem,
+            of=self,
+            spacing=4,
+            margins=(0, 4, 0, 0),
+        )
 
     def add_actions(self, *actions: QAction) -> None:
         """Offer these as boxes to be ticked."""
@@ -77,21 +79,16 @@ class ComparingSection(QWidget):
         services = self._services
         compared = services.state.compared
         others = [s for s in services.state.sources if s is not services.state.active]
-        with QSignalBlocker(self.other):
-            self.other.clear()
-            for source in others:
-                icon = colour_icon(source.colour, self.devicePixelRatioF())
-                self.other.addItem(icon, source.name, source)
-            self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
+        self.other.clear()
+        for source in others:
+            icon = colour_icon(source.colour, self.devicePixelRatioF())
+            self.other.addItem(icon, source.name, source)
+        self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
         self.other.setEnabled(compared is not None)
         wanted = compared is not None or services.disagreement.enabled
         self.setVisible(wanted and bool(services.state.sources))
-        found = services.disagreement.value
-        self.figures.show_found(found)
+        self.figures.show_found(services.disagreement.value)
         show_note(self.problem, services.disagreement.problem)
-
-    def _choose(self, index: int) -> None:
-        self._services.camera_sources.compare_with(self.other.itemData(index))
 
 
 class _Figures(QWidget):
@@ -107,9 +104,7 @@ class _Figures(QWidget):
         self._values: dict[tuple[str, str], QLabel] = {}
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for column, title in enumerate((tr("min"), tr("median"), tr("max")), start=1):
-            head = QLabel(title)
-            head.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-            grid.addWidget(head, 0, column, right)
+            grid.addWidget(make_label(title, faint=True), 0, column, right)
         for row, (unit, tip) in enumerate(
             (
                 ("m", tr("Between the two points on the ground that a pixel means")),
@@ -117,21 +112,14 @@ class _Figures(QWidget):
             ),
             start=1,
         ):
-            name = QLabel(tr("on the ground, m") if unit == "m" else tr("in the picture, px"))
-            name.setToolTip(tip)
-            name.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-            grid.addWidget(name, row, 0)
+            words = tr("on the ground, m") if unit == "m" else tr("in the picture, px")
+            grid.addWidget(make_label(words, tip=tip, faint=True), row, 0)
             for column, figure in enumerate(_FIGURES, start=1):
-                value = QLabel()
-                value.setObjectName(f"disagreement_{figure}_{unit}")
-                value.setFont(fixed_width(self.font()))
-                value.setToolTip(tip)
-                self._values[unit, figure] = value
-                grid.addWidget(value, row, column, right)
+                name, font = f"disagreement_{figure}_{unit}", fixed_width(self.font())
+                self._values[unit, figure] = make_label(name=name, tip=tip, font=font)
+                grid.addWidget(self._values[unit, figure], row, column, right)
         grid.setColumnStretch(0, 1)
-        self.within = QLabel()
-        self.within.setObjectName("disagreement_within")
-        self.within.setWordWrap(True)
+        self.within = make_label(name="disagreement_within", wrap=True)
         grid.addWidget(self.within, 3, 0, 1, 4)
         self.hide()
 
@@ -169,25 +157,18 @@ OFF_PLANE_TITLES = {"missed": word("count as missed"), "left_out": word("are lef
 _SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
 
 
-class CamerasPanel(QWidget):
+class CamerasPanel(Panel):
     """Loaded sources with the active one marked; loading; comparing; protocol; what is wrong."""
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("cameras_panel")
-        self._services = services
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "cameras_panel", (300, 280))
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (judged(s), s.looks, s.compared, s.blind),
             services.store.events.sourceAuditsChanged,
             services.source_frames.changed,
             services.disagreement.changed,
         )
-
-    def sizeHint(self) -> QSize:
-        return QSize(300, 280)
 
     # --- building ------------------------------------------------------------------------------
 
@@ -203,55 +184,52 @@ class CamerasPanel(QWidget):
         self.comparing = ComparingSection(self._services)
         self.notice = note_label("cameras_notice")
         self.error = note_label("cameras_error")
+        self.load_folder = make_button(
+            tr("Load folder…"),
+            self.choose_folder,
+            "cameras_load_folder",
+            tip=tr("A folder with one camera file a frame"),
+            wide=True,
+        )
+        self.load_file = make_button(
+            tr("Load file…"),
+            self.choose_file,
+            "cameras_load_file",
+            tip=tr("A zip archive of cameras, or the camera of one frame"),
+            wide=True,
+        )
         content = ScrolledContent()
-        layout = QVBoxLayout(content)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.addWidget(self.empty)
-        layout.addWidget(self.list)
-        layout.addWidget(self.notice)
-        layout.addWidget(self.error)
-        layout.addWidget(self.comparing)
-        layout.addLayout(self._build_buttons())
-        layout.addLayout(self._build_form())
-        layout.addStretch(1)
-        around = QVBoxLayout(self)
-        around.setContentsMargins(0, 0, 0, 0)
-        around.addWidget(scrolling(content))
-
-    def _build_buttons(self) -> QHBoxLayout:
-        self.load_folder = QPushButton(tr("Load folder…"))
-        self.load_folder.setObjectName("cameras_load_folder")
-        self.load_folder.setToolTip(tr("A folder with one camera file a frame"))
-        self.load_folder.clicked.connect(self.choose_folder)
-        self.load_file = QPushButton(tr("Load file…"))
-        self.load_file.setObjectName("cameras_load_file")
-        self.load_file.setToolTip(tr("A zip archive of cameras, or the camera of one frame"))
-        self.load_file.clicked.connect(self.choose_file)
-        buttons = QHBoxLayout()
-        for button in (self.load_folder, self.load_file):
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            buttons.addWidget(button)
-        return buttons
+        vbox(
+            self.empty,
+            self.list,
+            self.notice,
+            self.error,
+            self.comparing,
+            hbox(self.load_folder, self.load_file),
+            self._build_form(),
+            None,
+            of=content,
+            margins=6,
+        )
+        vbox(scrolling(content), of=self, margins=0)
 
     def _build_form(self) -> QFormLayout:
-        self.format = choice("cameras_format")
-        self.format.setToolTip(tr("How the files loaded next are read"))
-        self.protocol = _combo("cameras_protocol", PROTOCOLS, PROTOCOL_TITLES)
-        self.protocol.setToolTip(
-            tr(
+        evaluation = self._services.evaluation
+        self.format = choice("cameras_format", tip=tr("How the files loaded next are read"))
+        self.protocol = choice(
+            "cameras_protocol",
+            tip=tr(
                 "soccernet: the official evaluation with its quirks\n"
                 "procc: the paper's definition, closed circles and fine curves"
-            )
+            ),
+            items=[(tr(PROTOCOL_TITLES[name]), name) for name in PROTOCOLS],
+            chosen=evaluation.set_protocol,
         )
-        self.protocol.activated.connect(
-            lambda: self._services.evaluation.set_protocol(self.protocol.currentData())
-        )
-        self.off_plane = _combo("cameras_off_plane", OFF_PLANE, OFF_PLANE_TITLES)
-        self.off_plane.setToolTip(
-            tr("A homography knows the ground only: how posts and crossbars count for it")
-        )
-        self.off_plane.activated.connect(
-            lambda: self._services.evaluation.set_protocol(off_plane=self.off_plane.currentData())
+        self.off_plane = choice(
+            "cameras_off_plane",
+            tip=tr("A homography knows the ground only: how posts and crossbars count for it"),
+            items=[(tr(OFF_PLANE_TITLES[name]), name) for name in OFF_PLANE],
+            chosen=lambda value: evaluation.set_protocol(off_plane=value),
         )
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -311,10 +289,3 @@ class CamerasPanel(QWidget):
         if error:
             error = tr("⚠ This frame's camera cannot be used: {error}", error=error)
         show_note(self.error, error)
-
-
-def _combo(name: str, values: tuple[str, ...], titles: dict[str, str]) -> QComboBox:
-    combo = choice(name)
-    for value in values:
-        combo.addItem(tr(titles.get(value, value)), value)
-    return combo

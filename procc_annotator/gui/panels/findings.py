@@ -3,31 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from html import escape
+from typing import Protocol
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QProgressBar,
     QPushButton,
-    QStackedLayout,
     QToolButton,
-    QVBoxLayout,
-    QWidget,
 )
 
-from procc_annotator.calibration.label_check.finding import Severity
-from procc_annotator.dataset.review import by_severity
+from procc_annotator.calibration.label_check.finding import Remedy, Severity
+from procc_annotator.dataset.review import StoredFinding, by_severity
 from procc_annotator.gui.canvas.finding_sign import finding_icon
-from procc_annotator.gui.panels.findings.finding_rows import (
+from procc_annotator.gui.panels.finding_rows import (
     Entry,
     FindingDelegate,
     FindingsList,
     FindingsModel,
 )
-from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.panels.widgets import (
+    Pages,
+    Panel,
+    hbox,
+    make_button,
+    named,
+    note_label,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count
 
@@ -130,27 +138,28 @@ _FRAME, _SET = range(2)
 _MOST_REMEDIES = 4
 
 
-class FindingsPanel(QWidget):
-    """Displays `services.label_check`; anyone who does the work listens to its signals."""
+class _Commands(Protocol):
+    """Slots of the list of findings."""
 
-    goTo = Signal(str, object)  # a frame and what was found in it
-    remedyWanted = Signal(object, object)  # what was found, and the remedy
-    ignoreWanted = Signal(str, object)
-    restoreWanted = Signal()
-    checkWanted = Signal()
-    stopWanted = Signal()
-    exportWanted = Signal()
+    def go(self, frame: str, found: StoredFinding) -> None: ...
+    def apply(self, found: StoredFinding, remedy: Remedy) -> None: ...
+    def ignore(self, frame: str, found: StoredFinding) -> None: ...
+    def restore(self) -> None: ...
+    def check_set(self) -> None: ...
+    def stop(self) -> None: ...
+    def ask_export(self) -> None: ...
 
-    def __init__(self, services: Services, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("findings_panel")
-        self._services = services
+
+class FindingsPanel(Panel):
+    """Displays `services.label_check`; commands do what the user asks for."""
+
+    def __init__(self, services: Services, commands: _Commands) -> None:
+        super().__init__(services, "findings_panel", (300, 320))
+        self._commands = commands
         self._check = services.label_check
         self._following = False
         self._build()
-        self._refresher = services.store.watch_visible(
-            self,
-            self._refresh,
+        self._follow(
             lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
             self._check.changed,
             self._check.framesChanged,
@@ -160,54 +169,44 @@ class FindingsPanel(QWidget):
         self._check.progressed.connect(self._show_progress)
         self._refresh()
 
-    def sizeHint(self) -> QSize:
-        return QSize(300, 320)
-
     # --- building -------------------------------------------------------------------------
 
     def _build(self) -> None:
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addLayout(self._make_head())
         self.note = note_label("findings_note")
         self.note.setTextFormat(Qt.TextFormat.RichText)
-        self.note.linkActivated.connect(lambda _: self.restoreWanted.emit())
-        layout.addWidget(self.note)
+        self.note.linkActivated.connect(self._commands.restore)
         self.model = FindingsModel(self._services)
         self.model.setParent(self)
-        self.list = FindingsList()
-        self.list.setObjectName("findings_list")
-        self.list.setAccessibleName(tr("Findings"))
+        self.list = named(FindingsList(), "findings_list", title=tr("Findings"))
         self.list.setModel(self.model)
         self.list.selectionModel().currentChanged.connect(self._choose)
         self.list.clicked.connect(self._go)
         self.list.activated.connect(self._go)
         self.list.installEventFilter(self)
-        self.empty = empty_state("", "findings_empty")
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self.list)
-        self._stack.addWidget(self.empty)
-        layout.addLayout(self._stack, 1)
-        self.remedies = QVBoxLayout()
-        self.remedies.setSpacing(3)
+        self._pages = Pages(self.list, "findings_empty")
+        self.empty = self._pages.empty
+        self.remedies = vbox(spacing=3)
         self.remedy_buttons: list[WrappingButton] = []
-        layout.addLayout(self.remedies)
-        layout.addLayout(self._make_foot())
+        vbox(
+            self._make_head(),
+            self.note,
+            (self._pages, 1),
+            self.remedies,
+            self._make_foot(),
+            of=self,
+            spacing=4,
+            margins=4,
+        )
 
     def _make_head(self) -> QHBoxLayout:
-        self.scope = QComboBox()
-        self.scope.setObjectName("findings_scope")
-        self.scope.setAccessibleName(tr("Which findings are listed"))
+        title = tr("Which findings are listed")
+        self.scope = named(QComboBox(), "findings_scope", title=title)
         self.scope.addItems([tr("This frame"), tr("Whole set")])
         self.scope.currentIndexChanged.connect(lambda _: self._refresh())
         self.severity_buttons: dict[Severity, QToolButton] = {}
-        head = QHBoxLayout()
-        head.setSpacing(2)
-        head.addWidget(self.scope, 1)
+        head = hbox((self.scope, 1), spacing=2)
         for severity in Severity:
-            button = QToolButton()
-            button.setObjectName(f"findings_{severity}")
+            button = named(QToolButton(), f"findings_{severity}")
             button.setCheckable(True)
             button.setChecked(True)
             button.setIcon(finding_icon(severity, self.devicePixelRatioF()))
@@ -218,29 +217,25 @@ class FindingsPanel(QWidget):
         return head
 
     def _make_foot(self) -> QHBoxLayout:
-        self.check_button = QPushButton(tr("Check the whole set"))
-        self.check_button.setObjectName("findings_check")
-        self.check_button.setToolTip(tr("Look for wrong labels in every annotated frame"))
-        self.check_button.clicked.connect(self.checkWanted)
-        self.progress = QProgressBar()
-        self.progress.setObjectName("findings_progress")
-        self.progress.setAccessibleName(tr("Frames checked"))
+        self.check_button = make_button(
+            tr("Check the whole set"),
+            self._commands.check_set,
+            "findings_check",
+            tip=tr("Look for wrong labels in every annotated frame"),
+        )
+        title = tr("Frames checked")
+        self.progress = named(QProgressBar(), "findings_progress", title=title)
         self.progress.setFormat("%v / %m")
-        self.stop_button = QPushButton(tr("Stop"))
-        self.stop_button.setObjectName("findings_stop")
-        self.stop_button.clicked.connect(self.stopWanted)
-        self.export_button = QPushButton(tr("Export…"))
-        self.export_button.setObjectName("findings_export")
-        self.export_button.setToolTip(tr("Write the findings of all checked frames as CSV"))
-        self.export_button.clicked.connect(self.exportWanted)
-        foot = QHBoxLayout()
-        foot.setSpacing(4)
-        foot.addWidget(self.check_button, 1)
-        foot.addWidget(self.progress, 1)
-        foot.addWidget(self.stop_button)
-        foot.addWidget(self.export_button)
+        self.stop_button = make_button(tr("Stop"), self._commands.stop, "findings_stop")
+        self.export_button = make_button(
+            tr("Export…"),
+            self._commands.ask_export,
+            "findings_export",
+            tip=tr("Write the findings of all checked frames as CSV"),
+        )
         self._show_progress(0, 0)
-        return foot
+        progress, check = (self.progress, 1), (self.check_button, 1)
+        return hbox(check, progress, self.stop_button, self.export_button, spacing=4)
 
     # --- showing --------------------------------------------------------------------------
 
@@ -254,7 +249,8 @@ class FindingsPanel(QWidget):
             every = [(frame.name, found) for found in check.shown] if frame is not None else []
         counts = by_severity(found for _, found in every)
         for severity, button in self.severity_buttons.items():
-            button.setText(_short(counts[severity]))
+            count = counts[severity]
+            button.setText(str(count) if count < 1000 else f"{count // 1000}k")
             button.setChecked(severity in check.severities)
             many = so_many(severity, counts[severity])
             button.setToolTip(tr("{findings}; click to list them or not", findings=many))
@@ -269,8 +265,7 @@ class FindingsPanel(QWidget):
                 "{n:,} more are not listed: switch the signs above on.",
             )
         self._show_entries(entries, whole_set)
-        self.empty.setText(words)
-        self._stack.setCurrentWidget(self.list if entries else self.empty)
+        self._pages.explain("" if entries else words)
         self._show_note(words if entries else "", whole_set)
         self._show_remedies()
         self.check_button.setEnabled(self._services.state.workspace is not None)
@@ -306,26 +301,22 @@ class FindingsPanel(QWidget):
     def _show_remedies(self) -> None:
         """Buttons for what can be done about the current finding."""
         found = self._check.current
-        listed = self._stack.currentWidget() is self.list
+        listed = self._pages.currentWidget() is self.list
         wanted: list[tuple[str, str, Callable[[], None]]] = []
         if found is not None and listed:
             for at, remedy in enumerate(found.finding.remedies[:_MOST_REMEDIES]):
                 said = tr(remedy.text)
                 text = said[:1].upper() + said[1:]
 
-                def do(found: object = found, remedy: object = remedy) -> None:
-                    self.remedyWanted.emit(found, remedy)
-
+                do = partial(self._commands.apply, found, remedy)
                 wanted.append((f"{text} (F12)" if at == 0 else text, "", do))
             frame = self._services.state.frame
             name = frame.name if frame is not None else ""
             tip = tr("Do not show it again until the points of its elements change")
-            wanted.append(
-                (tr("Ignore this finding"), tip, lambda: self.ignoreWanted.emit(name, found))
-            )
+            ignore = partial(self._commands.ignore, name, found)
+            wanted.append((tr("Ignore this finding"), tip, ignore))
         while len(self.remedy_buttons) < len(wanted):
-            button = WrappingButton()
-            button.setObjectName(f"findings_remedy_{len(self.remedy_buttons)}")
+            button = named(WrappingButton(), f"findings_remedy_{len(self.remedy_buttons)}")
             self.remedies.addWidget(button)
             self.remedy_buttons.append(button)
         for at, button in enumerate(self.remedy_buttons):
@@ -362,7 +353,7 @@ class FindingsPanel(QWidget):
 
     def _go(self, index: QModelIndex) -> None:
         if not self._following and 0 <= index.row() < len(self.model.entries):
-            self.goTo.emit(*self.model.entries[index.row()])
+            self._commands.go(*self.model.entries[index.row()])
 
     def eventFilter(self, watched: object, event: QEvent) -> bool:
         deleted = (
@@ -373,13 +364,9 @@ class FindingsPanel(QWidget):
         )
         row = self.list.currentIndex().row() if deleted else -1
         if 0 <= row < len(self.model.entries):
-            self.ignoreWanted.emit(*self.model.entries[row])
+            self._commands.ignore(*self.model.entries[row])
             return True
         return False
-
-
-def _short(count: int) -> str:
-    return str(count) if count < 1000 else f"{count // 1000}k"
 
 
 def _pieces(text: str) -> Iterator[str]:
@@ -392,7 +379,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 class WrappingButton(QPushButton):
-    """A button whose text is wrapped rather than cut off."""
+    """A button that wraps its text rather than cutting it off."""
 
     def __init__(self) -> None:
         super().__init__()

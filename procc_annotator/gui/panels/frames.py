@@ -3,54 +3,62 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLabel,
-    QLineEdit,
-    QStackedLayout,
     QTableView,
-    QVBoxLayout,
-    QWidget,
 )
 
 from procc_annotator.dataset.filter_query import QUERY_HELP, FrameFacts, FrameQuery, parse_query
 from procc_annotator.dataset.frames import Folder
-from procc_annotator.dataset.records import FrameRecord, Status, Verdict
+from procc_annotator.dataset.records import FrameRecord, Status
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.gui.panels.frames.delegate import FrameDelegate
-from procc_annotator.gui.panels.frames.model import FramesModel
-from procc_annotator.gui.panels.tables import list_rows
-from procc_annotator.gui.panels.widgets import SEARCH_KEYS, empty_state, note_label, show_note
+from procc_annotator.gui.panels.frame_delegate import FrameDelegate
+from procc_annotator.gui.panels.frame_rows import FramesModel
+from procc_annotator.gui.panels.widgets import (
+    Pages,
+    Panel,
+    list_rows,
+    make_label,
+    named,
+    note_label,
+    search_line,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, after_paint
 from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
 from procc_annotator.gui.state.services import Services
-from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
 
 _MANY = 500  # frames that are asked on the interface thread at most
 
 
-class FrameFilter(QObject):
+class FrameFilter:
     """Turns the filter's text into the indices of matching frames; None means all of them."""
 
-    found = Signal(object)  # list[int] | None
-    problem = Signal(str)  # what is wrong with the text, or still missing; "" when nothing is
-
-    def __init__(self, services: Services, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._services = services
+    def __init__(
+        self,
+        services: Services,
+        owner: QObject,
+        found: Callable[[list[int] | None], object],
+        problem: Callable[[str], None],
+    ) -> None:
+        """``problem`` receives what is wrong with the text, or still missing; "" for nothing."""
+        self._services, self._found, self._problem = services, found, problem
         self._text = ""
         self._query = parse_query("", services.state.field)
-        services.store.watch(select.field, lambda: self.set_text(self._text))
-        self._searching = LatestOnlyTask(self, self.problem.emit)
+        services.store.watch(select.field, self._read_again)
+        self._searching = LatestOnlyTask(owner, problem)
+
+    def _read_again(self) -> None:
+        self.set_text(self._text)
 
     @property
     def depends_on_work(self) -> bool:
@@ -63,10 +71,10 @@ class FrameFilter(QObject):
         try:
             query = parse_query(text, self._services.state.field)
         except UsageError as error:
-            self.problem.emit(str(error))
+            self._problem(str(error))
             return
         self._query = query
-        self.problem.emit(query.incomplete)
+        self._problem(query.incomplete)
         self.search()
 
     def search(self) -> None:
@@ -74,17 +82,17 @@ class FrameFilter(QObject):
         self._searching.cancel()
         workspace = self._services.state.workspace
         if workspace is None or self._query.is_empty:
-            self.found.emit(None)
+            self._found(None)
             return
         query, ask = self._query, self._asker(workspace)
         if len(workspace.frames) <= _MANY and not query.needs_annotation:
-            self.found.emit(_matching(query, ask, len(workspace.frames), None))
+            self._found(_matching(query, ask, len(workspace.frames), None))
             return
 
         def work(control: JobControl) -> list[int]:
             return _matching(query, ask, len(workspace.frames), control)
 
-        self._searching.start(work, self.found.emit)
+        self._searching.start(work, self._found)
 
     def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
         """Return what is known of each frame, from values that another thread may look at."""
@@ -99,7 +107,7 @@ class FrameFilter(QObject):
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation, reveals = self._query.needs_annotation, services.state.reveals
         allowed = services.scoring.frame_scores.allowed
-        verdicts = _Verdicts(services.review.all_verdicts(), allowed)
+        verdicts = services.review.all_verdicts()
         asked = workspace.frames if self._query.needs_check else ()
         findings = {f.name: services.label_check.known.severities_of(f.name) for f in asked}
 
@@ -115,6 +123,7 @@ class FrameFilter(QObject):
                     annotated = workspace.read(index).annotated
                 except InputError:
                     unreadable = True
+            judged = verdicts.get(name, {}) if allowed is None or allowed(name) else {}
             has_comments = record is not None and record.comments > 0
             return FrameFacts(
                 name=name,
@@ -127,26 +136,12 @@ class FrameFilter(QObject):
                 unreadable=unreadable,
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
-                verdicts=verdicts.faults_in(name),
+                verdicts=frozenset(str(verdict.fault) for verdict in judged.values()),
                 findings=findings.get(name),
                 has_camera=None if name in broken and reveals(name) else name in cameras,
             )
 
         return ask
-
-
-@dataclass(frozen=True)
-class _Verdicts:
-    """Whose fault scores are, of the frames of which that may be known (None: of all)."""
-
-    by_frame: Mapping[str, Mapping[str, Verdict]]
-    allowed: Callable[[str], bool] | None
-
-    def faults_in(self, name: str) -> frozenset[str]:
-        """Return what was said of a frame under any source."""
-        if name not in self.by_frame or (self.allowed is not None and not self.allowed(name)):
-            return frozenset()
-        return frozenset(str(verdict.fault) for verdict in self.by_frame[name].values())
 
 
 def _matching(
@@ -166,29 +161,21 @@ _FOLD_KEYS = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right})
 _TURN_KEYS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space})
 
 
-class FramesPanel(QWidget):
+class FramesPanel(Panel):
     """The list of frames with a filter; the frame on screen is highlighted and kept in view."""
 
-    left = Signal()  # a frame was chosen: the keyboard belongs to the canvas again
-
-    def __init__(
-        self, services: Services, cache: FrameCache, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
-        self.setObjectName("frames_panel")
-        self._services = services
-        self.model = FramesModel(services, cache)
+    def __init__(self, services: Services) -> None:
+        super().__init__(services, "frames_panel", (240, 480))
+        self.model = FramesModel(services, services.cache)
         self.model.setParent(self)
-        self.frame_filter = FrameFilter(services, self)
-        self.frame_filter.found.connect(self._take_found)
-        self.frame_filter.problem.connect(self._tell_problem)
+        self.frame_filter = FrameFilter(services, self, self._take_found, self._show_problem)
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
         services.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = after_paint(self, self._follow_frames)
-        self._revealed = -1  # the frame whose folders were unfolded last
+        self._revealed = -1  # the frame that folders were unfolded for last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
         services.store.watch(select.annotation, self._follow_soon)
         services.store.events.framesEdited.connect(self._take_edited)
@@ -201,25 +188,18 @@ class FramesPanel(QWidget):
         self.model.figures.changed.connect(self.list.viewport().update)
         self._take_dataset()
 
-    def sizeHint(self) -> QSize:
-        return QSize(240, 480)
-
     def focus_filter(self) -> None:
         """Put the keyboard into the filter box."""
         self.filter.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.filter.selectAll()
 
     def _build(self) -> None:
-        self.filter = QLineEdit(placeholderText=tr("Filter frames"), clearButtonEnabled=True)
-        self.filter.setObjectName("frames_filter")
-        self.filter.setAccessibleName(tr("Filter frames"))
-        self.filter.setToolTip(_help_table())
-        self.filter.textChanged.connect(self._apply_filter)
-        self.filter.installEventFilter(self)
+        find = self.frame_filter.set_text
+        self.filter = search_line(tr("Filter frames"), "frames_filter", find, keys=self._filter_key)
+        lines = (f"{query}   {tr(words)}" for query, words in QUERY_HELP)
+        self.filter.setToolTip("\n".join(lines))
         # Laying out 20,000 rows takes a QListView 40 ms, a table of fixed rows 0.2 ms.
-        self.list = QTableView()
-        self.list.setObjectName("frames_list")
-        self.list.setAccessibleName(tr("Frames"))
+        self.list = named(QTableView(), "frames_list", title=tr("Frames"))
         self.list.setMouseTracking(True)
         self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -236,20 +216,12 @@ class FramesPanel(QWidget):
         self.list.clicked.connect(self._choose)  # arrows walk on in the list
         self.list.activated.connect(self._activate)
         self.list.installEventFilter(self)
-        self.empty = empty_state("", "frames_empty")
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self.list)
-        self._stack.addWidget(self.empty)
+        self._pages = Pages(self.list, "frames_empty")
+        self.empty = self._pages.empty
         self.problem = note_label("frames_problem")
-        self.count = QLabel()
-        self.count.setObjectName("frames_count")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 4, 4, 4)
-        layout.setSpacing(4)
-        layout.addWidget(self.filter)
-        layout.addWidget(self.problem)
-        layout.addLayout(self._stack, 1)
-        layout.addWidget(self.count)
+        self.count = make_label(name="frames_count")
+        parts = (self.filter, self.problem, (self._pages, 1), self.count)
+        vbox(*parts, of=self, spacing=4, margins=4)
 
     def _take_dataset(self) -> None:
         self.model.reset()
@@ -261,15 +233,12 @@ class FramesPanel(QWidget):
         self._show_which()
         self._show_current()
 
-    def _apply_filter(self, text: str) -> None:
-        self.frame_filter.set_text(text)
-
     def _take_found(self, rows: list[int] | None) -> None:
         self.model.show_only(rows)
         self._show_which()
         self._show_current()
 
-    def _tell_problem(self, text: str) -> None:
+    def _show_problem(self, text: str) -> None:
         show_note(self.problem, text)
 
     def _search(self) -> None:
@@ -285,13 +254,13 @@ class FramesPanel(QWidget):
     def _show_which(self) -> None:
         total, shown = self.model.total, self.model.shown
         if not total:
-            self.empty.setText(
-                tr("No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here.")
+            why = tr(
+                "No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here."
             )
             self.count.clear()
         else:
             query = self.filter.text().strip()
-            self.empty.setText(tr("Nothing matches “{query}”.", query=query))
+            why = tr("Nothing matches “{query}”.", query=query)
             frames = tr_count(total, "{n:,} frame", "{n:,} frames")
             if self.model.folders:
                 frames = tr_count(
@@ -303,16 +272,9 @@ class FramesPanel(QWidget):
             if shown != total:
                 frames = tr("{shown:,} of {frames}", shown=shown, frames=frames)
             self.count.setText(frames)
-        self._stack.setCurrentWidget(self.list if shown else self.empty)
+        self._pages.explain("" if shown else why)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self.filter and isinstance(event, QKeyEvent) and event.key() in SEARCH_KEYS:
-            if event.type() == QEvent.Type.ShortcutOverride:
-                event.accept()
-                return True
-            if event.type() == QEvent.Type.KeyPress:
-                self._filter_key(Qt.Key(event.key()))
-                return True
         if watched is self.list and isinstance(event, QKeyEvent) and self.model.folders:
             taken = event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
             if taken and (event.key() in _FOLD_KEYS or self._turns_folder(event)):
@@ -439,8 +401,3 @@ class FramesPanel(QWidget):
             self._soon.start()
         else:
             self.model.repaint(index)
-
-
-def _help_table() -> str:
-    """Return what can be written into the filter, one line each, for its tip."""
-    return "\n".join(f"{query}   {tr(words)}" for query, words in QUERY_HELP)

@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QIcon, QPainter, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
-    QTreeWidget,
-    QTreeWidgetItem,
-    QWidget,
 )
 
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import StoredFinding
-from procc_annotator.gui.canvas.finding_sign import finding_icon, paint_finding_sign
-from procc_annotator.gui.panels.tables import Index, list_rows
+from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
+from procc_annotator.gui.panels.widgets import Index, list_rows
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.theme import blend, paint_row
+from procc_annotator.gui.theme import blend, bold, paint_row
 from procc_annotator.translation import tr, word
 
 Entry = tuple[str, StoredFinding]  # a frame's name and what was found in it
@@ -131,7 +128,7 @@ class FindingDelegate(QStyledItemDelegate):
         painter.drawText(frame_box, _WRAPPED, texts[0])
         painter.drawText(reason_box, _WRAPPED, texts[2])
         painter.setPen(text)
-        painter.setFont(_bold(font))
+        painter.setFont(bold(font))
         painter.drawText(head_box, _WRAPPED, texts[1])
         line = QFontMetrics(font).height()
         top = head_box.top() + (line - _SIGN) / 2
@@ -143,13 +140,13 @@ class FindingDelegate(QStyledItemDelegate):
 
 
 class FindingsList(QTableView):
-    """A list whose rows are as high as their texts.
+    """A list with rows as high as their texts.
 
     Only rows that come into sight are measured: to wrap the texts of thousands would take seconds.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._fitting = False
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         # A scroll bar that comes and goes would have every text wrapped anew, again and again.
@@ -197,19 +194,13 @@ class FindingsList(QTableView):
         self.fit_rows()
 
 
-def _bold(font: QFont) -> QFont:
-    bold = QFont(font)
-    bold.setBold(True)
-    return bold
-
-
 def _boxes(row: QRect, texts: tuple[str, str, str], font: QFont) -> tuple[QRect, QRect, QRect]:
     """Return where frame, head and reason go in a row of this width."""
     left = row.left() + _PAD + _SIGN + _GAP
     width = max(40, row.right() - _PAD - left)
     boxes = []
     top = row.top() + _PAD
-    for text, shown in zip(texts, (font, _bold(font), font), strict=True):
+    for text, shown in zip(texts, (font, bold(font), font), strict=True):
         metrics = QFontMetrics(shown)
         room = QRect(left, top, width, 10_000)
         height = metrics.boundingRect(room, _WRAPPED, text).height() if text else 0
@@ -233,45 +224,3 @@ def findings_by_element(services: Services) -> dict[str, tuple[StoredFinding, ..
 def reasons_of(found: Iterable[StoredFinding]) -> str:
     """Return what is wrong, a line each."""
     return "\n".join(f"{tr(WORDS[f.finding.severity])}: {tr(f.finding.reason)}" for f in found)
-
-
-class FindingSigns:
-    """Signs in a column that has words of its own."""
-
-    def __init__(self, services: Services) -> None:
-        self._services = services
-        self._shown: dict[str, tuple[StoredFinding, ...]] = {}
-        self._icons: dict[Severity, QIcon] = {}
-
-    def forget(self) -> None:
-        """The rows are new ones: none has a sign."""
-        self._shown = {}
-
-    @property
-    def any_shown(self) -> bool:
-        """Return whether some element has a sign."""
-        return bool(self._shown)
-
-    def show(
-        self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int
-    ) -> list[QTreeWidgetItem]:
-        """Give every element the sign of its surest finding; the rows that are others now."""
-        found = findings_by_element(self._services)
-        others: list[QTreeWidgetItem] = []
-        if found == self._shown:
-            return others
-        for name in self._shown.keys() | found.keys():
-            item = items.get(name)
-            here = found.get(name, ())
-            if item is not None and here != self._shown.get(name):
-                icon = self._icon(tree, here[0].finding.severity) if here else QIcon()
-                item.setIcon(column, icon)
-                item.setToolTip(column, reasons_of(here))
-                others.append(item)
-        self._shown = found
-        return others
-
-    def _icon(self, tree: QTreeWidget, severity: Severity) -> QIcon:
-        if severity not in self._icons:
-            self._icons[severity] = finding_icon(severity, tree.devicePixelRatioF())
-        return self._icons[severity]
