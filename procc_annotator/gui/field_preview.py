@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QLabel, QMainWindow, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import load_field, with_dimensions
@@ -18,7 +17,7 @@ from procc_annotator.field.validation import FieldWarning, WarningSeverity, vali
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
-from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.panels.widgets import empty_state, make_label, note_label, show_note, vbox
 from procc_annotator.gui.settings import LANGUAGE, Settings, take_up
 from procc_annotator.gui.state.background import LatestOnlyTask
 from procc_annotator.gui.state.editing.outside_changes import FileWatch
@@ -63,10 +62,8 @@ class FieldPreview(QMainWindow):
         self.problem_bar = Bar("problemBar")
         self.map = FieldMapPanel(self.services)
         self.elements = ElementsPanel(self.services)
-        self.facts = QLabel()
-        self.facts.setWordWrap(True)
+        self.facts = make_label(wrap=True)
         self.remarks = note_label("preview_remarks")
-        self.remarks.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._assemble()
         self._reading = LatestOnlyTask(self, self.problem_bar.tell)
         self._watch = FileWatch(self, self.read)
@@ -89,9 +86,7 @@ class FieldPreview(QMainWindow):
     def _assemble(self) -> None:
         nothing = empty_state(tr("There is no field to show yet."), "preview_empty")
         right = QWidget()
-        column = QVBoxLayout(right)
-        for part, stretch in ((self.facts, 0), (self.elements, 1), (self.remarks, 0)):
-            column.addWidget(part, stretch)
+        vbox(self.facts, (self.elements, 1), self.remarks, of=right)
         both = QSplitter()
         both.addWidget(self.map)
         both.addWidget(right)
@@ -101,10 +96,7 @@ class FieldPreview(QMainWindow):
         self.pages.addWidget(nothing)
         self.pages.addWidget(both)
         centre = QWidget()
-        whole = QVBoxLayout(centre)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(self.problem_bar)
-        whole.addWidget(self.pages, 1)
+        vbox(self.problem_bar, (self.pages, 1), of=centre, margins=0)
         self.setCentralWidget(centre)
         self.resize(*_SIZE)
 

@@ -542,7 +542,7 @@ def let_work_end(qtbot: QtBot) -> None:
 def settle(services: Services, qtbot: QtBot) -> None:
     """Wait until everything computed in the background has arrived."""
     qtbot.waitUntil(lambda: not services.scoring.waiting)
-    qtbot.waitUntil(lambda: not services.dataset_scores.running)
+    qtbot.waitUntil(lambda: not services.scoring.running)
     qtbot.waitUntil(
         lambda: all(services.source_frames.of(s) is not None for s in services.state.sources)
     )

@@ -225,7 +225,7 @@ def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(begun, qtb
     for name in services.state.annotation.annotated[:2]:
         services.selection.select_class(name)
         begun.assistant.regularise_named(name)
-    qtbot.waitUntil(lambda: not begun.assistant.busy)
+    qtbot.waitUntil(lambda: not begun.assistant._work.running)
     steps = []
     while (step := services.editing.steps[0]) is not None:
         steps.append(step)

@@ -113,7 +113,7 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(show, open_servic
     scores = show(ScoresPanel(services))
 
     def why() -> str:
-        return next((r.why for r in scores.model.rows if r.class_name == "ball"), "")
+        return next((r.element.sentence for r in scores.model.rows if r.class_name == "ball"), "")
 
     qtbot.waitUntil(lambda: why() != "")
     assert why().startswith("The ball is missed")

@@ -177,7 +177,7 @@ class TestCameras:
         hand.draw(MIDDLE, *middle_line_points(window))
         window.services.camera_sources.load_cameras(cameras)
         qtbot.waitUntil(lambda: "frame_0" in window.services.scoring.frame_scores)
-        qtbot.waitUntil(lambda: not window.services.dataset_scores.running)
+        qtbot.waitUntil(lambda: not window.services.scoring.running)
         scores = window.services.scoring.frame_scores
         assert scores["frame_0"] == pytest.approx(window.services.scorer.score.jac, abs=1e-6)
         assert "frame_1" not in scores  # not annotated

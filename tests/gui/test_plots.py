@@ -49,7 +49,7 @@ def plotted(open_services, sample, show, qtbot) -> Plotted:
         assert services.camera_sources.load_cameras(sample / "cameras" / name)
     services.camera_sources.set_active_camera(1)
     services.navigator.go_to(1)
-    qtbot.waitUntil(lambda: not services.dataset_scores.running)
+    qtbot.waitUntil(lambda: not services.scoring.running)
     return Plotted(services, opened(services, show))
 
 
@@ -410,7 +410,7 @@ class TestLooks:
     def test_pyqtgraph_waits_until_the_plots_are_looked_at(self, make_window, sample, qtbot):
         window = make_window(sample)
         window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
-        qtbot.waitUntil(lambda: not window.services.dataset_scores.running)
+        qtbot.waitUntil(lambda: not window.services.scoring.running)
         all_done(qtbot)
         assert not window.plots._made
         window.panels.show("plots")

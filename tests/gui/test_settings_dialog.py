@@ -92,7 +92,7 @@ def test_every_setting_is_found_by_its_words_alone(dialog):
         assert len(shown) < len(OFFERED) / 2
     dialog.search.setText("no such thing at all")
     assert all(r.isHidden() for r in dialog.rows)
-    assert dialog._nothing.isVisible()
+    assert dialog._pages.empty.isVisible()
 
 
 def test_every_setting_is_in_the_palette(window, qtbot):

@@ -67,7 +67,7 @@ class TestAudits:
     def test_switching_computes_nothing_of_the_set_anew(self, services, qtbot):
         before = dict(source(services, "bad").audits)
         services.camera_sources.set_active_camera(1)
-        assert not services.dataset_scores.running
+        assert not services.scoring.running
         assert source(services, "bad").audits == before
         assert dict(services.scoring.frame_scores) == {
             name: audit.jac_at(services.state.tau) for name, audit in before.items()
@@ -146,7 +146,7 @@ class TestRows:
         expected = f"JaC {mean_jac(services, 'bad', 12.0):.3f}"
         assert expected != f"JaC {mean_jac(services, 'bad', 5.0):.3f}"
         qtbot.waitUntil(lambda: child(panel, QLabel, "cameras_jac_1").text() == expected)
-        assert not services.dataset_scores.running  # nothing was computed for it
+        assert not services.scoring.running  # nothing was computed for it
 
     def test_rows_keep_their_height_where_the_panel_is_low(self, services, annotated, qtbot, panel):
         assert services.camera_sources.load_cameras(annotated / "cameras" / "homography")

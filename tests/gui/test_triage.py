@@ -40,7 +40,7 @@ def opened(open_services: OpenServices, sample: Path, qtbot: QtBot) -> Services:
     services.camera_sources.set_active_camera(
         next(i for i, s in enumerate(services.state.sources) if s.name == "bad")
     )
-    qtbot.waitUntil(lambda: not services.dataset_scores.running)
+    qtbot.waitUntil(lambda: not services.scoring.running)
     all_done(qtbot)
     return services
 
@@ -302,7 +302,7 @@ class TestStatusLine:
     def window(self, make_window, sample, qtbot) -> MainWindow:
         window = make_window(sample)
         assert window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
-        qtbot.waitUntil(lambda: not window.services.dataset_scores.running)
+        qtbot.waitUntil(lambda: not window.services.scoring.running)
         all_done(qtbot)
         return window
 
@@ -350,19 +350,19 @@ class TestExplainer:
         expected = worst_elements_first(
             explain_score(services.scorer.score, services.scorer.measurement, services.state.field)
         )
-        assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
-        assert any("too far: point" in row.why for row in panel.model.rows)
+        assert [row.element.sentence for row in panel.model.rows] == [e.sentence for e in expected]
+        assert any("too far: point" in row.element.sentence for row in panel.model.rows)
 
     def test_a_click_selects_flies_and_says_why(self, services, panel, qtbot):
         rect = panel.table.visualRect(panel.model.index(0, 0))
         with qtbot.waitSignal(services.store.events.flyTo) as flown:
             qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-        row, element = panel.model.rows[0], panel.model.elements[0]
+        row, element = panel.model.rows[0], panel.model.rows[0].element
         assert services.state.selection.point == (row.class_name, element.deciding_point)
         point = services.state.annotation.get(row.class_name).points[element.deciding_point]
         width, height = services.state.picture_size
         assert flown.args == pytest.approx([point.u * (width - 1), point.v * (height - 1)])
-        qtbot.waitUntil(lambda: panel.why.text() == row.why)
+        qtbot.waitUntil(lambda: panel.why.text() == row.element.sentence)
 
     def test_arrows_and_enter_do_the_same(self, services, panel, qtbot):
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
@@ -370,7 +370,7 @@ class TestExplainer:
         with qtbot.waitSignal(services.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Down)
         assert services.state.selected_class == panel.model.rows[1].class_name
-        qtbot.waitUntil(lambda: panel.why.text() == panel.model.rows[1].why)
+        qtbot.waitUntil(lambda: panel.why.text() == panel.model.rows[1].element.sentence)
         with qtbot.waitSignal(services.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Return)
 
@@ -378,17 +378,17 @@ class TestExplainer:
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         with qtbot.assertNotEmitted(services.store.events.flyTo, wait=150):
             services.selection.select_class(panel.model.rows[2].class_name)
-        assert panel.why.text() == panel.model.rows[2].why
+        assert panel.why.text() == panel.model.rows[2].element.sentence
 
     def test_the_sentence_is_never_cut_off(self, services, panel, qtbot):
-        longest = max(panel.model.rows, key=lambda row: len(row.why))
+        longest = max(panel.model.rows, key=lambda row: len(row.element.sentence))
         services.selection.select_class(longest.class_name)
-        qtbot.waitUntil(lambda: panel.why.text() == longest.why)
+        qtbot.waitUntil(lambda: panel.why.text() == longest.element.sentence)
         all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())
 
     def test_it_can_be_copied(self, services, panel):
         panel._copy_all()
         assert QGuiApplication.clipboard().text().splitlines() == [
-            row.why for row in panel.model.rows
+            row.element.sentence for row in panel.model.rows
         ]

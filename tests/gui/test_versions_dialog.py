@@ -9,10 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLabel
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.dataset.records import Version
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.commands.versions import (
-    VersionRow,
     VersionsDialog,
     comparison,
     difference_words,
@@ -28,7 +28,9 @@ MOVED = FrameAnnotation((LINE, replace(TOP, points=(Point(0.2, 0.3), *TOP.points
 BEFORE = FrameAnnotation((LINE,))
 MORE = FrameAnnotation((LINE, TOP, Polyline("Circle central", (Point(0.3, 0.5),))))
 CONTENT = {"1": MORE, "2": BEFORE, "3": MOVED, "4": NOW}
-ROWS = [VersionRow(str(i), f"Author {i}", 1.7e9 + 60 * i, f"reason {i}") for i in (2, 4, 1, 3)]
+ROWS = [
+    Version(str(i), "frame", f"Author {i}", 1.7e9 + 60 * i, f"reason {i}") for i in (2, 4, 1, 3)
+]
 
 
 class _Store:
@@ -138,7 +140,7 @@ def test_another_annotation_than_the_newest_may_be_the_present_one(qtbot, store)
 
 
 def test_a_version_that_cannot_be_read_says_so(qtbot, store):
-    rows = [*ROWS, VersionRow("9", "Author", 1.0e9, "saved")]
+    rows = [*ROWS, Version("9", "frame", "Author", 1.0e9, "saved")]
     dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE, NOW)
     qtbot.addWidget(dialog)
     dialog.show()
@@ -149,7 +151,7 @@ def test_a_version_that_cannot_be_read_says_so(qtbot, store):
 
 
 def test_versions_are_read_once_and_only_when_in_view(qtbot, store):
-    rows = [VersionRow(str(1 + i % 4), "Author", 1.7e9 + i, "saved") for i in range(500)]
+    rows = [Version(str(1 + i % 4), "frame", "Author", 1.7e9 + i, "saved") for i in range(500)]
     dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE, NOW)
     qtbot.addWidget(dialog)
     dialog.show()

@@ -67,11 +67,6 @@ class Assistant(QObject):
         self._doing = _REGULARISING  # what is worked out
         services.store.watch(select.frame, self._leave)
 
-    @property
-    def busy(self) -> bool:
-        """Return whether something is being worked out."""
-        return self._work.running
-
     # --- regularising ---------------------------------------------------------------------
 
     def regularise_element(self) -> None:
@@ -166,10 +161,7 @@ class Assistant(QObject):
         ):
             points = sum(len(p.points) for p in done)
             words = tr_count(
-                points,
-                "regularised {what}: {n} point",
-                "regularised {what}: {n} points",
-                what=what,
+                points, "regularised {what}: {n} point", "regularised {what}: {n} points", what=what
             )
             services.say(_with_unconfirmed(words, len(unseen)))
 

@@ -63,13 +63,6 @@ class DialogTask(QObject):
     def __init__(
         self, services: Services, parent: QWidget, *, priority: Priority = Priority.LOW
     ) -> None:
-        """Nothing is shown yet.
-
-        Args:
-            services: whose dataset the dialog is about.
-            parent: the dialog's.
-            priority: of its work.
-        """
         super().__init__(parent)
         self._services = services
         self._parent = parent

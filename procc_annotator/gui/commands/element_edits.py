@@ -336,7 +336,7 @@ class Naming(QObject):
 
     @property
     def _camera_known(self) -> bool:
-        allowed = self._services.prediction.allowed
+        allowed = self._services.state.projection_visible
         return allowed and self._fit is not None and self._fit.camera is not None
 
     def _named(self, size: tuple[int, int]) -> dict[str, FloatArray]:
@@ -402,7 +402,7 @@ class Naming(QObject):
         following = next_element(field, annotation, last, before)
         usual = [following] if following is not None and following not in there else []
         usual += [e.name for e in field.elements if e.name not in there and not e.optional]
-        fit = self._fit if services.prediction.allowed else None
+        fit = self._fit if services.state.projection_visible else None
         if fit is not None and fit.camera is not None:
             # All that it has in sight, also what it knows too little of for a ghost: which of them
             # a line is can be distinguished from much farther off.

@@ -185,7 +185,7 @@ class Exporter:
         workspace, database = services.state.workspace, services.review.database
         services.review.note_activity()
         scores = dict(services.scoring.frame_scores.items())
-        scoring = services.dataset_scores.running
+        scoring = services.scoring.running
 
         def work(control: JobControl) -> int:
             rows: list[OverviewRow] = []

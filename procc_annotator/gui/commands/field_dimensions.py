@@ -9,7 +9,7 @@ from functools import partial
 from html import escape
 from typing import Any
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QComboBox,
@@ -128,11 +128,8 @@ class FieldDimensionsDialog(TaskDialog):
             self.lines_box.addItem(tr(words), lines)
         self.lines_box.setCurrentIndex(self.lines_box.findData(self._field.lines))
         self.lines_box.currentIndexChanged.connect(self._changed)
-        if has_off_centre_markings(self._field):
-            form.addRow(tr("Clicks lie on:"), self.lines_box)
-        else:
-            self.lines_box.setParent(self)
-            self.lines_box.hide()
+        form.addRow(tr("Clicks lie on:"), self.lines_box)
+        form.setRowVisible(self.lines_box, has_off_centre_markings(self._field))
         return form
 
     @property
@@ -153,10 +150,8 @@ class FieldDimensionsDialog(TaskDialog):
     def set_values(self, values: Mapping[str, float]) -> None:
         """Show other numbers, as if they were entered together."""
         for name, value in values.items():
-            box = self.boxes[name]
-            blocked = box.blockSignals(True)
-            box.setValue(value)
-            box.blockSignals(blocked)
+            with QSignalBlocker(self.boxes[name]):
+                self.boxes[name].setValue(value)
         for dimension in self._dimensions:
             if dimension.name in values:
                 self._tell_rule(dimension)
@@ -191,9 +186,8 @@ class FieldDimensionsDialog(TaskDialog):
         self._refused.clear()
 
     def _set_nominal(self) -> None:
-        blocked = self.lines_box.blockSignals(True)
-        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED_LINE))
-        self.lines_box.blockSignals(blocked)
+        with QSignalBlocker(self.lines_box):
+            self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED_LINE))
         self.set_values({d.name: d.nominal for d in self._dimensions})
 
     def _tell_rule(self, dimension: Dimension, refused: float | None = None) -> None:

@@ -295,7 +295,7 @@ class WorstFirst(QObject):
         pair = self._pair()
         if pair is None or services.state.workspace is None:
             services.say(
-                tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)"),
+                tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)")
             )
             return
         found = self._kept.get(self._pair_key(*pair))
@@ -315,7 +315,7 @@ class WorstFirst(QObject):
 
     def stop(self) -> None:
         """Stop what is computed of the whole set."""
-        self._services.dataset_scores.cancel()
+        self._services.scoring.cancel()
         if self._comparing.cancel():
             self.progressed.emit(0, 0)
             self._services.say(tr("stopped comparing the sources"))

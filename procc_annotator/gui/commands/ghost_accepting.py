@@ -33,13 +33,12 @@ AllPoints = tuple[GhostPoints, ...]
 
 @dataclass(frozen=True, eq=False)
 class _Accepting:
-    """Ghosts to be accepted once their points are found, and what comes after that."""
+    """Ghosts to be accepted once their points are found."""
 
     ghosts: tuple[Ghost, ...]
     made_for: FrameAnalysis
     frame: str
     all: bool
-    then: Callable[[], None]
 
 
 class GhostAccepting(QObject):
@@ -267,7 +266,7 @@ class GhostAccepting(QObject):
             else:
                 self.accept_one(made_for, found[0])
 
-        self._asked = _Accepting(ghosts, made_for, frame.name, everything, then)
+        self._asked = _Accepting(ghosts, made_for, frame.name, everything)
         self._looking.start(work, take, progress=self.progressed.emit)
         return True
 

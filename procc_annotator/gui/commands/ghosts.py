@@ -106,8 +106,8 @@ class GhostCommands(QObject):
 
     def _why_off(self) -> str:
         """Return why no ghosts are shown, whatever the clicks say; empty if they are."""
-        prediction = self._services.prediction
-        if not (prediction.allowed and prediction.wanted):
+        visible = self._services.state.projection_visible
+        if not (visible and self._services.prediction.wanted):
             return tr("no ghosts: {why}", why=self._services.live_fit.problem)
         if not self._ghosts.wanted:
             return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")

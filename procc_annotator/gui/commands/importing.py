@@ -59,7 +59,6 @@ class LookedAt:
         field: of the dataset.
         better: title of a field whose classes are called more like the labels; may be empty.
         has_file: whether the dataset has a map already.
-        look: what reads it again.
     """
 
     found: ReadSet
@@ -68,7 +67,6 @@ class LookedAt:
     field: Field
     better: str
     has_file: bool
-    look: LabelLook
 
 
 class LabelLook:
@@ -105,12 +103,12 @@ class LabelLook:
         rules = own.rules if own is not None else {}
         frames = labelled_frames(found, field)
         if not any(frame.shapes for frame in frames):
-            return LookedAt(found, rules, (), field, "", own is not None, self)
+            return LookedAt(found, rules, (), field, "", own is not None)
         cameras = None if self._cameras is None else cameras_of(self._cameras)
         proposals = propose_labels(frames, field, cameras)
         better = better_field([one.count.label for one in proposals], field)
         title = load_field(better).title if better is not None else ""
-        return LookedAt(found, rules, tuple(proposals), field, title, own is not None, self)
+        return LookedAt(found, rules, tuple(proposals), field, title, own is not None)
 
     def read_by(
         self, looked: LookedAt, rules: Mapping[str, Rule], control: JobControl, *, keep: bool
@@ -175,10 +173,10 @@ class AnnotationImporter(DialogTask):
         if dialog is None:
             return
         services.editing.save_now()
-        look = LabelLook(path, str(dialog.formats.currentData()), services)
+        self._look = LabelLook(path, str(dialog.formats.currentData()), services)
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
-        self._work.start(look.read, self._ask_names, progress=dialog.advance)
+        self._work.start(self._look.read, self._ask_names, progress=dialog.advance)
 
     def _ask_names(self, looked: LookedAt) -> None:
         """Ask what labels stand for that are no class; where there are none, begin to save."""
@@ -203,7 +201,7 @@ class AnnotationImporter(DialogTask):
         rules, keep = names.rules, names.keep.isChecked()
         self.dialog.set_running(True)
         self._work.start(
-            partial(looked.look.read_by, looked, rules, keep=keep), self._take,
+            partial(self._look.read_by, looked, rules, keep=keep), self._take,
             progress=self.dialog.advance,
         )  # fmt: skip
 
@@ -266,10 +264,7 @@ class AnnotationImporter(DialogTask):
             "\n".join(_said(outcome, self._imported.title)),
             (tr("Left as they were"), self._refused(outcome)[:_LISTED]),
             (tr("Could not be read"), self._imported.problems[:_LISTED]),
-            (
-                tr("Without a picture here ({n})", n=len(self._unmatched)),
-                self._unmatched[:_LISTED],
-            ),
+            (tr("Without a picture here ({n})", n=len(self._unmatched)), self._unmatched[:_LISTED]),
             (tr("Changed or left out"), self._imported.losses),
         )
 

@@ -205,29 +205,23 @@ class ShotFollowing(QObject):
 
     def _note_edit(self) -> None:
         """The frame on screen was edited: an anchor was corrected, came or went."""
-        sequence, index = self._services.sequence.value, self._services.state.frame_index
-        if sequence is not None and 0 <= index < len(sequence.numbers):
-            number = int(sequence.numbers[index])
-            tracked = self._services.shot_track.tracked.get(number)
-            if tracked is None or self._only_accepted():
-                return
-            if tracked.state == "anchor" or self._services.state.annotation.annotated:
-                self._corrected[number] = None
-            else:
-                self._corrected.pop(number, None)  # taken back: the track did not pass through it
+        track = self._services.shot_track
+        number, tracked = track.number_here, track.here
+        if number is None or tracked is None or self._only_accepted():
+            return
+        if tracked.state == "anchor" or self._services.state.annotation.annotated:
+            self._corrected[number] = None
+        else:
+            self._corrected.pop(number, None)  # taken back: the track did not pass through it
 
     def _note_dragged(self, _: str) -> None:
         """The camera of the frame on screen was dragged, or is as it was before that."""
-        services, sequence = self._services, self._services.sequence.value
-        dragged, index = services.corrections.here, services.state.frame_index
-        if sequence is None or not 0 <= index < len(sequence.numbers):
-            return
-        number = int(sequence.numbers[index])
-        before = services.shot_track.tracked.get(number)
-        if before is None or (dragged is None and before.state != "anchor"):
+        track, dragged = self._services.shot_track, self._services.corrections.here
+        number, before = track.number_here, track.here
+        if number is None or before is None or (dragged is None and before.state != "anchor"):
             return
         if dragged is not None:
-            services.shot_track.correct(as_anchor(dragged, number))
+            track.correct(as_anchor(dragged, number))
         self._corrected[number] = None
 
     def _only_accepted(self) -> bool:
@@ -241,14 +235,12 @@ class ShotFollowing(QObject):
 
     def _follow_corrected(self) -> None:
         """Once a person is done with it: what is between its neighbours is followed again."""
-        services = self._services
-        sequence, index = services.sequence.value, services.state.frame_index
-        if self.running or sequence is None or services.state.blind:
+        track = self._services.shot_track
+        if self.running or self._services.sequence.value is None or self._services.state.blind:
             return
-        here = int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
-        for number in [n for n in self._corrected if n != here]:
+        for number in [n for n in self._corrected if n != track.number_here]:
             del self._corrected[number]
-            within = services.shot_track.between_anchors(number)
+            within = track.between_anchors(number)
             if within is not None:
                 self._begin(number, None, within)
                 return

@@ -155,7 +155,7 @@ class Triage(QObject):
     def set_locked(self, locked: bool) -> None:
         """Lock the dataset for everybody; unlock it once a person said so knowingly."""
         lock = self._services.blind_lock
-        if locked or lock.lock is None or self._confirmed(lock.reason):
+        if locked or self._services.state.blind_lock is None or self._confirmed(lock.reason):
             lock.set_locked(locked)
         lock.refused.emit()  # the action shows the present state
 

@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from datetime import datetime
+from typing import Any
 
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QPainter
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QSize, Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
+    QApplication,
     QDialog,
     QHBoxLayout,
     QListView,
     QStackedWidget,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset import editing
-from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.records import OriginKind, Version
 from procc_annotator.dataset.workspace import restore_version
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.model import Field
@@ -31,7 +30,6 @@ from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.widgets import Index, empty_state, note_label, show_note
 from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, translatable, word
 
@@ -43,23 +41,13 @@ _NO_VERSION = word("There is no earlier version of this frame.")
 _ROOT = QModelIndex()
 
 
-@dataclass(frozen=True, slots=True)
-class VersionRow:
-    """One kept version: who made it, when (seconds since 1970) and on what occasion."""
-
-    id: str
-    author: str
-    time: float
-    reason: str
-
-
 class VersionsDialog(QDialog):
     """Choose an earlier version; ``chosen_id`` is its id once the dialog was accepted."""
 
     def __init__(
         self,
         parent: QWidget | None,
-        versions: Sequence[VersionRow],
+        versions: Sequence[Version],
         preview: Callable[[str], FrameAnnotation],
         picture: PixelArray | None,
         field: Field,
@@ -87,7 +75,7 @@ class VersionsDialog(QDialog):
         self.list = QListView()
         self.list.setObjectName("versionsList")
         self.list.setModel(self.model)
-        self.list.setItemDelegate(_VersionDelegate(self.list))
+        self.list.setAlternatingRowColors(True)
         self.list.setUniformItemSizes(True)
         self.list.setFixedWidth(_LIST_WIDTH)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -147,7 +135,7 @@ class VersionsModel(QAbstractListModel):
 
     def __init__(
         self,
-        versions: Sequence[VersionRow],
+        versions: Sequence[Version],
         preview: Callable[[str], FrameAnnotation],
         current: FrameAnnotation,
     ) -> None:
@@ -156,6 +144,7 @@ class VersionsModel(QAbstractListModel):
         self._preview = preview
         self._read: dict[int, FrameAnnotation | ProccError] = {}
         self.current = current
+        self._line_height = QFontMetrics(QApplication.font()).lineSpacing()
 
     def annotation(self, row: int) -> FrameAnnotation | ProccError:
         """The annotation of a row, or why it cannot be read."""
@@ -169,10 +158,13 @@ class VersionsModel(QAbstractListModel):
     def rowCount(self, parent: Index = _ROOT) -> int:
         return 0 if parent.isValid() else len(self.rows)
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> str | None:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row = index.row()
         if role == Qt.ItemDataRole.DisplayRole:
-            return "\n".join(self.lines(row))
+            when, author, reason, content = self.lines(row)
+            return f"{when}   {author}\n{reason}\n{content}"
+        if role == Qt.ItemDataRole.SizeHintRole:  # narrower than the list: longer lines are elided
+            return QSize(_LIST_WIDTH - 20, 3 * self._line_height + 2 * _PAD)
         if role == Qt.ItemDataRole.ToolTipRole:
             return tr(self.rows[row].reason)
         return None
@@ -247,51 +239,6 @@ def _counts(annotation: FrameAnnotation) -> tuple[int, int]:
     return len(annotation.annotated), sum(len(p.points) for p in annotation)
 
 
-class _VersionDelegate(QStyledItemDelegate):
-    """Three lines: time and author, reason, content."""
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        metrics: QFontMetrics = option.fontMetrics
-        return QSize(_LIST_WIDTH - 20, 3 * metrics.height() + 4 + 2 * _PAD)
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        model = index.model()
-        if not isinstance(model, VersionsModel):
-            return
-        when, author, reason, content = model.lines(index.row())
-        rect: QRect = option.rect
-        painter.save()
-        base, text = paint_row(painter, option)
-        box = rect.adjusted(_PAD + 2, _PAD, -_PAD - 2, -_PAD)
-        bold = QFont(option.font)
-        bold.setBold(True)
-        quiet = blend(text, base, 0.3)
-        line = (box.height() - 4) // 3
-        for i, (words, font, colour) in enumerate(
-            ((when, bold, text), (reason, option.font, text), (content, option.font, quiet))
-        ):
-            painter.setFont(font)
-            painter.setPen(colour)
-            row = QRect(box.left(), box.top() + i * (line + 2), box.width(), line)
-            _draw_line(painter, row, words)
-            if i == 0:
-                row.setLeft(row.left() + painter.fontMetrics().horizontalAdvance(words) + 12)
-                painter.setFont(option.font)
-                painter.setPen(quiet)
-                _draw_line(painter, row, author, Qt.AlignmentFlag.AlignRight)
-        painter.restore()
-
-
-def _draw_line(
-    painter: QPainter,
-    row: QRect,
-    words: str,
-    side: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft,
-) -> None:
-    shown = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, row.width())
-    painter.drawText(row, side | Qt.AlignmentFlag.AlignVCenter, shown)
-
-
 class Versions:
     """Slot of the action."""
 
@@ -309,7 +256,6 @@ class Versions:
         if workspace is None or frame is None or database is None:
             services.say(no_frame(services.state))
             return
-        rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
         index = services.state.frame_index
 
         def read(version: str) -> FrameAnnotation:
@@ -317,7 +263,7 @@ class Versions:
 
         dialog = VersionsDialog(
             self._parent,
-            rows,
+            database.versions(frame.name),
             read,
             services.navigator.picture,
             services.state.field,

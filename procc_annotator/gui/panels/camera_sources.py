@@ -160,7 +160,7 @@ class SourceRow(QFrame):
         if mean is None:
             return "JaC –", tr("No frame has both annotated elements and a camera of this source")
         frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
-        if services.dataset_scores.running:
+        if services.scoring.running:
             frames = tr("{frames} so far", frames=frames)
         tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=services.state.tau, frames=frames)
         if bad := len(source.problems):

@@ -190,14 +190,12 @@ class FitPanel(Panel):
     # --- building ------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.counted = note_label("fit_counted")
-        self.counted.setToolTip(
-            tr("Elements in sight that are not annotated count against the JaC")
-        )
+        tip = tr("Elements in sight that are not annotated count against the JaC")
+        self.counted = note_label("fit_counted", tip)
         self.chosen = note_label("fit_chosen")
-        self.weak = note_label("fit_weak")
+        tip = tr("Hardly determined: {limits}", limits=ILL_CONDITIONED_LIMITS)
+        self.weak = note_label("fit_weak", tip)
         self.weak.setTextFormat(Qt.TextFormat.RichText)
-        self.weak.setToolTip(tr("Hardly determined: {limits}", limits=ILL_CONDITIONED_LIMITS))
         self.terms = note_label("fit_terms")
         self.model = choice(
             "fit_model",

@@ -442,9 +442,9 @@ def empty_state(text: str, name: str) -> QLabel:
     return made
 
 
-def note_label(name: str) -> QLabel:
+def note_label(name: str, tip: str = "") -> QLabel:
     """A wrapping label for one line of explanation; hidden until `show_note` gives it text."""
-    made = make_label(name=name, wrap=True)
+    made = make_label(name=name, tip=tip, wrap=True)
     made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
     made.hide()

@@ -134,11 +134,11 @@ class Landmarks(QObject):
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
 
     def __init__(
-        self, store: Store, judge: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
+        self, store: Store, scorer: FrameScorer, live_fit: LiveFit, terms: EvaluationSettings
     ) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
-        self._judge, self._live_fit = judge, live_fit
+        self._scorer, self._live_fit = scorer, live_fit
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
         self._damage = ""  # what the problem is, of the files alone
@@ -378,7 +378,7 @@ class Landmarks(QObject):
         size = state.picture_size
         if size is None or not self.file.landmarks or not state.projection_visible:
             return None
-        field, camera = self._judge.frame_setup.field, self._judge.camera
+        field, camera = self._scorer.frame_setup.field, self._scorer.camera
         if camera is not None:
             return *self._here(), field, size, camera, state.setup.size
         fit = self._live_fit.result
@@ -432,11 +432,7 @@ class LandmarkTriangulation(QObject):
         }
         source = state.active
         cameras = None if source is None else source.files
-        place = DatasetPaths(
-            workspace.folder,
-            workspace.annotations,
-            tuple(workspace.index),
-        )
+        place = DatasetPaths(workspace.folder, workspace.annotations, tuple(workspace.index))
         field = state.field
         model = self._live_fit.model if self._live_fit.model != "H" else "R"
         search = TriangulationSettings(
@@ -457,23 +453,22 @@ class LandmarkTriangulation(QObject):
         for problem in outcome.problems:
             say(store, problem, "warning")
         found = [one for one in located if one.found.position is not None]
-        deleted = False
+
+        def is_there() -> bool:  # another person may have deleted it; a place would bring it back
+            return name in landmarks_by_name(landmarks.file.landmarks)
 
         def placed() -> LandmarkFile:
-            nonlocal deleted
-            # Another person may have deleted it meanwhile; a place would bring it back.
-            deleted = name not in landmarks_by_name(landmarks.file.landmarks)
-            return landmarks.file if deleted else with_positions(landmarks.file, found)
+            return with_positions(landmarks.file, found) if is_there() else landmarks.file
 
         if not found:
             self._landmarks.changed.emit()
         elif not landmarks.edit(placed):
             self._landmarks.changed.emit()
             return  # it was said why
-        if deleted:
+        if found and not is_there():
             title = tr(name.strip())
-            told = tr("{title} was deleted meanwhile: its place was not kept", title=title)
-            say(store, told, "warning")
+            text = tr("{title} was deleted meanwhile: its place was not kept", title=title)
+            say(store, text, "warning")
             return
         for one in located[:1]:
             if why := why_kept(landmarks.file, name, one.clicked.instant):

@@ -132,12 +132,6 @@ class Compared:
     picture: MapShapes
     field: MapShapes
 
-    @property
-    def same(self) -> bool:
-        """Return whether both mean the same point by every pixel."""
-        largest = self.values.statistics.metres.maximum
-        return largest is not None and largest < _SAME_M
-
     def at(self, x: float, y: float) -> tuple[float, float] | None:
         """Metres and pixels between the two at a place of the picture, px of the evaluation size;
         between the samples in proportion, None where one of them does not count."""
@@ -160,12 +154,12 @@ class DisagreementMap(ComputedValue[Compared]):
         """Why there is nothing to be shown, or little, although a person wants to see it."""
         if problem := super().problem:
             return problem
-        found = self.value
-        if found is not None and found.values.statistics.metres.maximum is None:
+        if self.value is None:
+            return ""
+        largest = self.value.values.statistics.metres.maximum
+        if largest is None:
             return tr("The two see no part of the field in common in this frame.")
-        if found is not None and found.same:
-            return tr("Both cameras are the same in this frame.")
-        return ""
+        return tr("Both cameras are the same in this frame.") if largest < _SAME_M else ""
 
     def _made_of(self) -> Inputs | str | None:
         state = self._store.state
@@ -240,20 +234,20 @@ class VisibleFieldRegion(QObject):
 
     changed = Signal()
 
-    def __init__(self, store: Store, foresight: PredictionSource, judge: FrameScorer) -> None:
+    def __init__(self, store: Store, prediction: PredictionSource, scorer: FrameScorer) -> None:
         super().__init__(store)
-        self._store, self._foresight, self._judge = store, foresight, judge
+        self._store, self._prediction, self._scorer = store, prediction, scorer
         self.wanted = True
         self._sight: VisibleField | None = None
         self._sure = True
         self._turns = 0
-        self._told: tuple[object, ...] = ()
+        self._signalled: tuple[object, ...] = ()
         self._found = ComputedValue(self._made_of, _look_at, self, cache_size=_KEPT)
         self._found.changed.connect(self._take)
         store.watch(lambda s: (s.workspace, s.field), self._begin_anew)
         store.watch(select.blind, self._look)
         store.keep_current(self._found)
-        foresight.changed.connect(self._look)
+        prediction.changed.connect(self._look)
 
     def set_wanted(self, wanted: bool) -> None:
         """Turn the map to the side of the camera, or leave the main camera's side below."""
@@ -287,10 +281,10 @@ class VisibleFieldRegion(QObject):
         state = self._store.state
         if not self._allowed or state.frame is None:
             return None
-        insight = self._foresight.insight
+        insight = self._prediction.insight
         if insight is not None and insight.fit.camera is not None:
             return state.sized_field, insight.fit.camera, insight.fit.size
-        camera = self._judge.camera
+        camera = self._scorer.camera
         if camera is None or isinstance(camera, ElementProjections):
             return None
         return state.sized_field, camera, state.setup.size
@@ -305,14 +299,14 @@ class VisibleFieldRegion(QObject):
         self._look()
 
     def _take(self, *_: object) -> None:
-        if not (self._found.working or self._foresight.working):
+        if not (self._found.working or self._prediction.working):
             self._sight = self._found.value
-            self._sure = not (self._foresight.stands_in and self._foresight.doubt)
+            self._sure = not (self._prediction.stands_in and self._prediction.doubt)
             if self._sight is not None:
                 self._turns = self._sight.turns
         now = self.shown, self.turns, self.half
-        if now != self._told:
-            self._told = now
+        if now != self._signalled:
+            self._signalled = now
             self.changed.emit()
 
 
@@ -375,12 +369,7 @@ def know_ground(fit: FitResult, field: Field) -> GroundAccuracy:
 class UncertaintyMap(ComputedValue[GroundAccuracy]):
     """The map of the live fit, once a person wants to see it."""
 
-    def __init__(
-        self,
-        store: Store,
-        live_fit: LiveFit,
-        disagreement: DisagreementMap,
-    ) -> None:
+    def __init__(self, store: Store, live_fit: LiveFit, disagreement: DisagreementMap) -> None:
         super().__init__(self._made_of, know_ground, store, enabled=False)
         self._store, self._live_fit = store, live_fit
         self._disagreement = disagreement
@@ -423,17 +412,17 @@ class UncertaintyMap(ComputedValue[GroundAccuracy]):
 class LineWidths(ComputedValue[ProjectedField]):
     """The borders of painted lines, once a person wants to see them."""
 
-    def __init__(self, store: Store, judge: FrameScorer) -> None:
+    def __init__(self, store: Store, scorer: FrameScorer) -> None:
         super().__init__(
             self._made_of, lambda *inputs: project_markings(*inputs), store, enabled=False
         )
-        self._store, self._judge = store, judge
+        self._store, self._scorer = store, scorer
         self.failed.connect(self._say)
         store.watch(select.score, self.retry)
 
     def _made_of(self) -> Inputs | None:
-        camera = self._judge.camera
-        return None if camera is None else (camera, self._judge.frame_setup)
+        camera = self._scorer.camera
+        return None if camera is None else (camera, self._scorer.frame_setup)
 
     def _say(self, text: str) -> None:
         say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")

@@ -69,7 +69,7 @@ class ReviewState(QObject):
         self._frame: str | None = None
         self._last_activity: float | None = None
         self._seconds = 0.0
-        self._told: tuple[str, ...] = ()
+        self._reported: tuple[str, ...] = ()
         self._poll_timer = QTimer(self, interval=_POLL_MS)
         self._poll_timer.timeout.connect(self.poll)
         self._collect_soon = QTimer(self, singleShot=True, interval=_COLLECT_MS)
@@ -83,7 +83,7 @@ class ReviewState(QObject):
         self.database = database
         self._origins.clear()
         self._before_edits.clear()
-        self._told = () if database is None else database.notices  # told when it was opened
+        self._reported = () if database is None else database.notices  # reported when it was opened
         if database is None:
             self._poll_timer.stop()
             self._collect_soon.stop()
@@ -361,8 +361,8 @@ class ReviewState(QObject):
             self.settingChanged.emit(key)
         if database.looking:
             self._collect_soon.start()
-        before, self._told = self._told, (*database.notices, database.problem)
-        for line in filter(None, self._told):
+        before, self._reported = self._reported, (*database.notices, database.problem)
+        for line in filter(None, self._reported):
             if line not in before:
                 say(self._store, line, "warning")
 
@@ -385,15 +385,11 @@ class BlindLock(QObject):
         review.statusChanged.connect(self._take_committed)
 
     @property
-    def lock(self) -> LockEvent | None:
-        """The lock of the dataset on screen."""
-        return self._store.state.blind_lock
-
-    @property
     def reason(self) -> str:
         """Return who locked the dataset and when, in words; empty when no one did. It may begin
         with a name, which is written as its owner writes it."""
-        return self._said(lock) if (lock := self.lock) is not None else ""
+        lock = self._store.state.blind_lock
+        return "" if lock is None else self._said(lock)
 
     @property
     def no_fit(self) -> str:
@@ -409,7 +405,7 @@ class BlindLock(QObject):
     def set_blind(self, blind: bool) -> None:
         """Hide everything of the camera until the frame is committed, or show it again unless the
         dataset is locked to blind mode."""
-        if self.lock is None:
+        if self._store.state.blind_lock is None:
             self.wanted = blind
             self._store.update(blind=blind)
         elif not blind:

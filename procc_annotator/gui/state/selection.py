@@ -30,10 +30,7 @@ class SelectionCommands:
         self._store.update(selection=chosen)
 
     def select_point(
-        self,
-        class_name: str | None,
-        index: int = 0,
-        together: Collection[PointRef] = (),
+        self, class_name: str | None, index: int = 0, together: Collection[PointRef] = ()
     ) -> None:
         """Choose one point of an element, or several ``together``; None lets go of all points."""
         chosen = self._store.state.selection

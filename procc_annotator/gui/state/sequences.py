@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -25,7 +26,12 @@ class AnnotatedIndices(QObject):
         self._store = store
         self._edited: dict[int, bool] = {}  # since they were read
         self._read = ComputedValue(
-            self._made_of, _read_all, self, enabled=False, stoppable=True, priority=Priority.LOW
+            partial(_open_dataset, store),
+            _read_all,
+            self,
+            enabled=False,
+            stoppable=True,
+            priority=Priority.LOW,
         )
         self._read.changed.connect(self.changed)
         store.watch(select.dataset, self._begin_anew)
@@ -44,10 +50,6 @@ class AnnotatedIndices(QObject):
         return frozenset(found.union(i for i, annotated in self._edited.items() if annotated))
 
     # --- inside ---
-
-    def _made_of(self) -> Inputs | None:
-        workspace = self._store.state.workspace
-        return None if workspace is None else (workspace,)
 
     def _begin_anew(self) -> None:
         self._edited.clear()
@@ -89,23 +91,18 @@ def _read_all(workspace: Workspace, *, go_on: Callable[[], None]) -> frozenset[i
     return frozenset(found)
 
 
-class OpenSequence(ComputedValue[FrameSequence]):
-    """The video or the consecutive pictures that the dataset's frames are of; None for others."""
-
-    def __init__(self, store: Store) -> None:
-        super().__init__(
-            self._made_of,
-            _look,
-            store,
-            stoppable=True,
-        )
-        self._store = store
-        store.keep_current(self)
-
-    def _made_of(self) -> Inputs | None:
-        workspace = self._store.state.workspace
-        return None if workspace is None else (workspace,)
+def open_sequence(store: Store) -> ComputedValue[FrameSequence]:
+    """Make the video, or the consecutive pictures, of the dataset's frames; None for others."""
+    sequence = ComputedValue(
+        partial(_open_dataset, store),
+        lambda workspace, go_on: sequence_of(workspace.frames, go_on),
+        store,
+        stoppable=True,
+    )
+    store.keep_current(sequence)
+    return sequence
 
 
-def _look(workspace: Workspace, *, go_on: Callable[[], None]) -> FrameSequence | None:
-    return sequence_of(workspace.frames, go_on)
+def _open_dataset(store: Store) -> Inputs | None:
+    workspace = store.state.workspace
+    return None if workspace is None else (workspace,)

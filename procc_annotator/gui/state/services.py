@@ -31,18 +31,12 @@ from procc_annotator.gui.state.prediction.computed_sources import FitSource, Sho
 from procc_annotator.gui.state.prediction.ghosts import Ghosts
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import BlindLock, ReviewState
-from procc_annotator.gui.state.scoring.commands import (
-    CameraSourceCommands,
-    EvaluationSettings,
-)
-from procc_annotator.gui.state.scoring.dataset_scores import (
-    DatasetScores,
-    DatasetScoring,
-)
+from procc_annotator.gui.state.scoring.commands import CameraSourceCommands, EvaluationSettings
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import SelectionCommands
-from procc_annotator.gui.state.sequences import AnnotatedIndices, OpenSequence
+from procc_annotator.gui.state.sequences import AnnotatedIndices, open_sequence
 from procc_annotator.gui.state.state import Level, State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
@@ -73,9 +67,9 @@ class Services(QObject):
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
         self.review = ReviewState(store)
         self.saver, self.frame_lock = Saver(store), FrameLock(store)
-        self.source_frames, self.dataset_scores = SourceFrames(store), DatasetScores(store)
+        self.source_frames = SourceFrames(store)
         self.scorer = FrameScorer(store, self.source_frames)
-        self.scoring = DatasetScoring(store, self.scorer, self.source_frames, self.dataset_scores)
+        self.scoring = DatasetScoring(store, self.scorer, self.source_frames)
         store.score = self.scoring.follow
         self._make_commands()
         self._make_watches()
@@ -91,7 +85,7 @@ class Services(QObject):
         store, review = self.store, self.review
         self.selection = SelectionCommands(store)
         self.evaluation = EvaluationSettings(store, review)
-        self.camera_sources = CameraSourceCommands(store, self.scoring, self.dataset_scores, review)
+        self.camera_sources = CameraSourceCommands(store, self.scoring, review)
         self.editing = Editing(store, self.saver, self.frame_lock, review, self.scoring)
         self.outside_changes = OutsideChanges(
             store, self.editing, self.camera_sources, self.scoring
@@ -109,7 +103,7 @@ class Services(QObject):
 
     def _make_watches(self) -> None:
         store = self.store
-        self.sequence = OpenSequence(store)
+        self.sequence = open_sequence(store)
         self.annotated_frames = AnnotatedIndices(store)
         self.shot_track = ShotTrack(store, self.sequence, self.camera_sources)
         self.line_widths = LineWidths(store, self.scorer)
@@ -117,15 +111,10 @@ class Services(QObject):
         self.live_fit = LiveFit(store, self.review, self.blind_lock, self.scorer)
         self.uncertainty = UncertaintyMap(store, self.live_fit, self.disagreement)
         self.fit_source = FitSource(store, self.camera_sources, self.source_frames, self.live_fit)
-        self.proposals = Proposals(store, self.blind_lock, self.cache)
+        self.proposals = Proposals(store, self.cache)
         self.corrections = CameraCorrections(store, self.proposals)
         self.prediction = PredictionSource(
-            store,
-            self.live_fit,
-            self.review,
-            self.shot_track,
-            self.proposals,
-            self.corrections,
+            store, self.live_fit, self.review, self.shot_track, self.proposals, self.corrections
         )
         self.ghosts = Ghosts(store, self.prediction, self.review)
         self.visible_region = VisibleFieldRegion(store, self.prediction, self.scorer)

@@ -87,7 +87,7 @@ class EditOptions:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class State:
-    """One moment of the window. It is replaced, never changed (`Store.set`).
+    """One moment of the window. It is replaced, never changed (`Store.update`).
 
     Attributes:
         setup: what scores are computed with; its ``field`` is the one that is shown.

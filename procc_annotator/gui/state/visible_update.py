@@ -3,46 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
 
-import shiboken6
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QTimer, Slot
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Slot
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.gui.state.background import after_paint
+
 _INTERVAL_MS = 60  # between updates of one widget, so that a slow one does not slow a drag
-
-
-class _Turn(QObject):
-    """Runs all updates that wait in one turn of the event loop: the window is painted once."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._waiting: dict[VisibleUpdate, None] = {}
-        self._timer = QTimer(self, singleShot=True)
-        self._timer.timeout.connect(self._run)
-
-    def add(self, update: VisibleUpdate) -> None:
-        self._waiting[update] = None
-        self._timer.start(0)
-
-    @Slot()
-    def _run(self) -> None:
-        waiting, self._waiting = self._waiting, {}
-        for update in waiting:
-            if shiboken6.isValid(update):
-                update.run()
-
-
-@lru_cache(maxsize=1)
-def _turn() -> _Turn:
-    return _Turn()
 
 
 class VisibleUpdate(QObject):
     """Runs the update of a widget after the next paint, once, however often it is requested.
 
-    All widgets that wait are updated in one turn, in the order of their requests. While a widget
-    cannot be seen nothing runs; it catches up when it is shown, or its tab is brought to the front.
+    Qt runs the timers of all widgets that wait before it paints the window. While a widget cannot
+    be seen nothing runs; it catches up when it is shown, or its tab is brought to the front.
     """
 
     def __init__(
@@ -52,16 +26,15 @@ class VisibleUpdate(QObject):
         super().__init__(widget)
         self._widget, self._update, self._requested = widget, update, requested
         self._stale = True
-        self._resting = QTimer(self, singleShot=True)
-        self._resting.timeout.connect(self.run)
+        self._timer = after_paint(self, self.run)  # it also runs for a while after each update
         widget.installEventFilter(self)
 
     @Slot()
     def request(self) -> None:
         """Update at the next opportunity."""
         self._stale = True
-        if not self._resting.isActive():
-            _turn().add(self)
+        if not self._timer.isActive():
+            self._timer.start(0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()  # first: other events come while the widget is being destroyed
@@ -85,7 +58,7 @@ class VisibleUpdate(QObject):
     def _run(self) -> None:
         self._stale = False
         self._update()
-        self._resting.start(_INTERVAL_MS)
+        self._timer.start(_INTERVAL_MS)
 
     def _in_sight(self) -> bool:
         """Return whether any of it is seen: Qt calls docks behind other tabs visible, too, and

@@ -233,7 +233,7 @@ class StatusLine(QStatusBar):
         )
         for computed in (services.disagreement, services.uncertainty):
             computed.changed.connect(self._refresh_cursor)
-        services.dataset_scores.progressed.connect(self.show_scoring)
+        services.scoring.progressed.connect(self.show_scoring)
         self.set_hint(canvas.hint)
         self._show_titles()
 

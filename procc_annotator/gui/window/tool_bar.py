@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.keymap import NATIVE, short_text
+from procc_annotator.gui.panels.widgets import named
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.theme import blend, paint_icon
 from procc_annotator.gui.window.menus import Actions
@@ -229,8 +230,7 @@ class SideToolBar(QToolBar):
                 self.addSeparator()
                 continue
             icon, name, key_of = row
-            button = IconButton(icon, with_key=True)
-            button.setObjectName(f"rail_{name}")
+            button = named(IconButton(icon, with_key=True), f"rail_{name}")
             other = actions[key_of] if key_of else None
             held = QKeySequence(_HELD.get(name, "")).toString(NATIVE)
             button.show_action(actions[name], other, held)
@@ -254,12 +254,9 @@ class SideToolBar(QToolBar):
         action = QWidgetAction(menu)
         action.setDefaultWidget(self.looks)
         menu.addAction(action)
+        tip = tr("Picture\nBrightness, contrast, gamma, line enhance: only what you see changes")
         button = IconButton("looks", with_key=True)
-        button.setObjectName("lookButton")
-        button.setAccessibleName(tr("Picture"))
-        button.setToolTip(
-            tr("Picture\nBrightness, contrast, gamma, line enhance: only what you see changes")
-        )
+        named(button, "lookButton", tip=tip, title=tr("Picture"))
         button.setMenu(menu)
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.addWidget(button)

@@ -39,7 +39,7 @@ def sources(window, sample_data, tmp_path, qtbot) -> MainWindow:
         assert services.camera_sources.load_cameras(folder)
         print(f"\nload {FRAMES:,} cameras ({name}): {(time.perf_counter() - begin) * 1e3:.0f} ms")
     begin = time.perf_counter()
-    qtbot.waitUntil(lambda: not services.dataset_scores.running, timeout=300_000)
+    qtbot.waitUntil(lambda: not services.scoring.running, timeout=300_000)
     print(f"audit the set for {len(SETS)} sources: {time.perf_counter() - begin:.1f} s")
     services.navigator.go_to(1)
     qtbot.waitUntil(

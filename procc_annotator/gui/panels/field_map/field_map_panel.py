@@ -273,7 +273,6 @@ class FieldMapPanel(Panel):
             self._paint_findings(painter)
             self._paint_next(painter)
             painter.setClipping(False)
-            self._paint_dimensions(painter)
             self._paint_captions(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
@@ -334,41 +333,30 @@ class FieldMapPanel(Panel):
                 box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
                 paint_finding_sign(painter, box, found[0].finding.severity)
 
-    def _paint_dimensions(self, painter: QPainter) -> None:
-        """Paint the field's own dimensions above it."""
-        text = self._services.state.field.own_terms
-        if not text:
-            return
-        painter.setPen(self.palette().color(QPalette.ColorRole.Text))
-        line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
-        painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
-
     def _paint_captions(self, painter: QPainter) -> None:
-        """The name under the cursor, or of the chosen element, or what a click does; above it what
-        to annotate next."""
+        """Paint the field's own dimensions at the top; at the bottom the name under the cursor, or
+        of the chosen element, or what a click does, and above it what to annotate next."""
+        state = self._services.state
+        text, height = self.palette().color(QPalette.ColorRole.Text), self.fontMetrics().height()
+        bottom = self.height() - height - 4
+        painter.setPen(text)
+        self._paint_line(painter, state.field.own_terms, 2)
         if self._next is not None:
             following = tr(
                 "Next: {title}, {before:.1f} → {after:.1f} px",
-                title=class_title(self._services.state.field, self._next.name),
+                title=class_title(state.field, self._next.name),
                 before=self._next.sd_before_px,
                 after=self._next.sd_after_px,
             )
-            painter.setPen(self.palette().color(QPalette.ColorRole.Text))
-            self._paint_line(painter, following, 1)
-        name = self._services.state.hovered_class or self._services.state.selected_class
+            self._paint_line(painter, following, bottom - height)
+        name = state.hovered_class or state.selected_class
         if name is None:
-            text = tr("Click an element to choose its class")
             painter.setPen(muted(self.palette()))
-        else:
-            text = self._heading(name)
-            painter.setPen(self.palette().color(QPalette.ColorRole.Text))
-        self._paint_line(painter, text, 0)
+        words = self._heading(name) if name else tr("Click an element to choose its class")
+        self._paint_line(painter, words, bottom)
 
-    def _paint_line(self, painter: QPainter, text: str, above: int) -> None:
-        """A line of text at the bottom, or that many lines above it."""
-        height = self.fontMetrics().height()
-        top = self.height() - (above + 1) * height - 4
-        line = QRectF(4, top, self.width() - 8, height)
+    def _paint_line(self, painter: QPainter, text: str, top: int) -> None:
+        line = QRectF(4, top, self.width() - 8, self.fontMetrics().height())
         text = self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(line.width()))
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
 

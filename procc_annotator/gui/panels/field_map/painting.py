@@ -260,22 +260,22 @@ def paint_spot(
         painter.setBrush(state_colour(state, palette))
         painter.drawEllipse(at, _SPOT, _SPOT)
         return
-    painter.setBrush(palette.color(QPalette.ColorRole.Base))
-    painter.drawEllipse(at, _SPOT + 3, _SPOT + 3)
-    _paint_sign(painter, at, 2 * _SPOT + 7, state, palette)
+    paint_badge(painter, at, state, palette, radius=_SPOT + 3, side=2 * _SPOT + 7)
 
 
-def paint_badge(painter: QPainter, at: QPointF, state: ElementState, palette: QPalette) -> None:
-    """Both solid lines bear their sign as well: tick or cross."""
+def paint_badge(
+    painter: QPainter,
+    at: QPointF,
+    state: ElementState,
+    palette: QPalette,
+    *,
+    radius: float = 5.0,
+    side: float = 11.0,
+) -> None:
+    """Paint the sign of a state on a disc; solid lines bear it too: tick or cross."""
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(palette.color(QPalette.ColorRole.Base))
-    painter.drawEllipse(at, 5, 5)
-    _paint_sign(painter, at, 11, state, palette)
-
-
-def _paint_sign(
-    painter: QPainter, at: QPointF, side: float, state: ElementState, palette: QPalette
-) -> None:
+    painter.drawEllipse(at, radius, radius)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
     paint_symbol(painter, box, state, state_colour(state, palette))

@@ -197,7 +197,7 @@ class ExportablePlot(Panel):
         """Return whether the plot is not of all frames yet."""
         request = self._request
         of_set = request is not None and request.scope == "set"
-        return of_set and self._services.dataset_scores.running
+        return of_set and self._services.scoring.running
 
     def _numbers(self, use: Callable[[str], None]) -> None:
         page, data, request = self.page, self._data, self._request

@@ -124,11 +124,11 @@ class LabelCheck(QObject):
         store: Store,
         review: ReviewState,
         live_fit: LiveFit,
-        judge: FrameScorer,
+        scorer: FrameScorer,
         paint: LinePixels,
     ) -> None:
         super().__init__(store)
-        self._store, self._live_fit, self._judge, self._paint = store, live_fit, judge, paint
+        self._store, self._live_fit, self._scorer, self._paint = store, live_fit, scorer, paint
         self.severities: frozenset[Severity] = frozenset(Severity)
         self.problems: dict[str, str] = {}
         self.set_checked = False
@@ -191,7 +191,7 @@ class LabelCheck(QObject):
     @property
     def fit_shown(self) -> bool:
         """Return whether findings that hang on a camera are looked for in the frame on screen."""
-        return self._live_fit.wanted and self._live_fit.allowed
+        return self._live_fit.wanted and self._store.state.projection_visible
 
     # --- the current finding ----------------------------------------------------------------
 
@@ -248,7 +248,7 @@ class LabelCheck(QObject):
     def _to_check(self) -> Inputs | None:
         """The frame on screen with its fit, or by the rules that need none."""
         state, evidence = self._store.state, self._paint.value
-        name, field = state.frame_name, self._judge.frame_setup.field
+        name, field = state.frame_name, self._scorer.frame_setup.field
         if name is None:
             return None
         if self.fit_shown:

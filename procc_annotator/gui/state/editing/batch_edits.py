@@ -50,15 +50,11 @@ class BatchEdits(QObject):
     them between what else happens there."""
 
     def __init__(
-        self,
-        store: Store,
-        editing: Editing,
-        auditing: DatasetScoring,
-        parent: QObject,
+        self, store: Store, editing: Editing, scoring: DatasetScoring, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._store = store
-        self._editing, self._auditing = editing, auditing
+        self._editing, self._scoring = editing, scoring
         self._outcome: EditedFrames | None = None
         self._edit: EditFrame = lambda _: ""
         self._stopped = False
@@ -144,7 +140,7 @@ class BatchEdits(QObject):
         workspace = self._store.state.workspace
         if outcome.edited and workspace is not None:
             self._store.events.framesEdited.emit(outcome.edited)
-            self._auditing.frames_edited([workspace.frames[i].name for i in outcome.edited])
+            self._scoring.frames_edited([workspace.frames[i].name for i in outcome.edited])
         self._finished(outcome)
 
 

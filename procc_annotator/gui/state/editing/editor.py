@@ -34,12 +34,12 @@ class Editing(QObject):
         saver: Saver,
         frame_lock: FrameLock,
         review: ReviewState,
-        auditing: DatasetScoring,
+        scoring: DatasetScoring,
     ) -> None:
         super().__init__(store)
         self._store = store
         self.saver, self.frame_lock, self.review = saver, frame_lock, review
-        self._auditing = auditing
+        self._scoring = scoring
         self._warned_of: FrameAnnotation | None = None  # that undo would take others' work away
         self._look_later = False  # at the file of the frame, once nothing is written any more
         self._empty_asked = False  # whether to be done with this frame while nothing is in it
@@ -214,7 +214,7 @@ class Editing(QObject):
         now = held(workspace, index)
         if (now["annotation"], now["damage"]) == (state.annotation, state.damage):
             self._show(workspace)  # an empty file came or went: that is another score
-            self._auditing.frame_edited()
+            self._scoring.frame_edited()
             return
         # Nothing is to be saved then: a conflict that waited is decided.
         self._show_edited(workspace, stepped=True)
@@ -270,7 +270,7 @@ class Editing(QObject):
         index = self._store.state.frame_index
         self._show(workspace, stepped=stepped)
         self.saver.save_soon(index)
-        self._auditing.frame_edited()
+        self._scoring.frame_edited()
 
     def _travel(self, *, back: bool) -> None:
         state = self._store.state
@@ -314,7 +314,7 @@ class Editing(QObject):
         counts = state.workspace.state(state.frame_index).counts
         if counts != state.counts:
             self._store.update(counts=counts)
-            self._auditing.frame_edited()
+            self._scoring.frame_edited()
 
     def _look_if_asked(self) -> None:
         asked, self._look_later = self._look_later, False
@@ -326,7 +326,7 @@ class Editing(QObject):
         if index == state.frame_index and state.workspace is not None:
             self._warned_of = None
             self._show(state.workspace, stepped=True)
-            self._auditing.frame_edited()
+            self._scoring.frame_edited()
 
     def _say_held(self) -> None:
         say(self._store, self._store.state.why_not_editable, "warning")
@@ -340,8 +340,8 @@ class Editing(QObject):
 
     def _say_saved_elsewhere(self, so: str) -> None:
         if (name := self._store.state.frame_name) is not None:
-            told = tr("{frame} was changed elsewhere and read again: {so}", frame=name, so=so)
-            say(self._store, told)
+            text = tr("{frame} was changed elsewhere and read again: {so}", frame=name, so=so)
+            say(self._store, text)
 
 
 def held(workspace: Workspace, index: int) -> dict[str, object]:

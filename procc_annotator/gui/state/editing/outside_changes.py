@@ -28,12 +28,7 @@ class FileWatch(QObject):
     """Watches one file: it may be written, replaced, taken away and put back."""
 
     def __init__(self, parent: QObject, written: Callable[[], object]) -> None:
-        """Watch nothing yet.
-
-        Args:
-            parent: owns it.
-            written: called when the file may hold something else, or is gone.
-        """
+        """``written`` is called when the file may hold something else, or is gone."""
         super().__init__(parent)
         self._written = written
         self.path: Path | None = None
@@ -87,25 +82,25 @@ class _Newer:
 
 
 class OutsideChanges(QObject):
-    """Looks at the files of the set when a person asks, and watches that of the frame on screen."""
+    """Looks at the files of the set on request, and watches that of the frame on screen.
+
+    Attributes:
+        watch: of the annotation file of the frame on screen.
+    """
 
     def __init__(
         self,
         store: Store,
         editing: Editing,
         sources: CameraSourceCommands,
-        auditing: DatasetScoring,
+        scoring: DatasetScoring,
     ) -> None:
         super().__init__(store)
         self._store = store
-        self._editing, self._sources, self._auditing = editing, sources, auditing
+        self._editing, self._sources, self._scoring = editing, sources, scoring
         self._looking = LatestOnlyTask(self, partial(say, store, level="error"))
         self._again = False
-        self._watch = FileWatch(self, editing.look_at_frame)
-
-    def watch_file(self, path: Path | None) -> None:
-        """Another frame is on screen, with this annotation file."""
-        self._watch.watch(path)
+        self.watch = FileWatch(self, editing.look_at_frame)
 
     def look(self) -> None:
         """See which files were written since they were read, in the background, and follow them;
@@ -137,7 +132,7 @@ class OutsideChanges(QObject):
 
     def close(self) -> None:
         """Look no more."""
-        self._watch.watch(None)
+        self.watch.watch(None)
         self._again = False
         self._looking.cancel()
 
@@ -153,8 +148,8 @@ class OutsideChanges(QObject):
         if source not in self._store.state.sources or source.camera_set is not newer.before:
             return  # removed, or loaded again meanwhile
         if newer.cameras is None:
-            told = tr("cameras of {name} changed: {why}", name=source.name, why=newer.problem)
-            say(self._store, told, "warning")
+            text = tr("cameras of {name} changed: {why}", name=source.name, why=newer.problem)
+            say(self._store, text, "warning")
             return
         self._sources.add_source(newer.cameras, active=False, changed=newer.frames)
         say(self._store, tr("cameras of {name} changed on disk: read again", name=source.name))
@@ -169,7 +164,7 @@ class OutsideChanges(QObject):
         self._editing.look_at_frame()
         others = [i for i in changed if i != here and i not in unsaved]
         if others:
-            self._auditing.frames_edited([workspace.frames[i].name for i in others])
+            self._scoring.frames_edited([workspace.frames[i].name for i in others])
             self._store.events.framesEdited.emit(others)
 
 

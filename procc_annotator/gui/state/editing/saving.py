@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
@@ -138,14 +137,6 @@ def _who(holder: LockHolder | None) -> tuple[str, str, float] | None:
 RETRY_MS = 5000
 
 
-@dataclass(frozen=True, slots=True)
-class _Writing:
-    """A save in progress."""
-
-    frames: frozenset[int]
-    job: Job
-
-
 class Saver(QObject):
     """Writes frames of a workspace and remembers which could not be written.
 
@@ -165,7 +156,7 @@ class Saver(QObject):
         super().__init__(store)
         self._store = store
         self._workspace: Workspace | None = None
-        self._writing: _Writing | None = None
+        self._writing: tuple[frozenset[int], Job] | None = None
         self._again: set[int] = set()  # edited since, or not begun with yet
         self._soon = after_paint(self, self._begin)
         self.saved_at: datetime | None = None
@@ -252,9 +243,10 @@ class Saver(QObject):
         if self._writing is None and (index is None or index in self._again):
             self._begin()
         while (writing := self._writing) is not None:
-            if index is not None and index not in writing.frames | self._again:
+            frames, job = writing
+            if index is not None and index not in frames | self._again:
                 return
-            writing.job.finish()
+            job.finish()
             if self._writing is writing:  # the program ends, and nothing is told any more
                 return
 
@@ -333,7 +325,7 @@ class Saver(QObject):
             owner=self,
             priority=Priority.IMMEDIATE,
         )
-        self._writing = _Writing(frozenset(pending.index for pending in batch), job)
+        self._writing = frozenset(pending.index for pending in batch), job
         self.begun.emit()
 
     def _begin(self) -> None:

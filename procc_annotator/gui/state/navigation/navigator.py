@@ -39,13 +39,13 @@ class Navigator(QObject):
         store: Store,
         cache: FrameCache,
         editing: Editing,
-        auditing: DatasetScoring,
+        scoring: DatasetScoring,
         second: SecondAnnotator,
         outside: OutsideChanges,
     ) -> None:
         super().__init__(store)
         self._store, self._cache = store, cache
-        self._editing, self._auditing = editing, auditing
+        self._editing, self._scoring = editing, scoring
         self._second, self._outside = second, outside
         # The whole picture, once half its size was painted: who walks on before spares it.
         self._whole = LatestOnlyTask(
@@ -71,7 +71,7 @@ class Navigator(QObject):
         arrived = self.arrival(workspace, index)
         self._store.update(**arrived)
         if changed:
-            self._auditing.frame_edited()
+            self._scoring.frame_edited()
             if index not in workspace.dirty_frames():
                 self._editing.saver.save(index)  # nothing to save: a conflict is decided
             self._store.events.framesEdited.emit([index])
@@ -131,7 +131,7 @@ class Navigator(QObject):
         up to the disk."""
         self._store.events.aboutToLeave.emit()
         self._editing.saver.settle(self._store.state.frame_index)
-        self._auditing.settle()
+        self._scoring.settle()
 
     def arrival(self, workspace: Workspace, index: int) -> dict[str, object]:
         """Return what the state is to hold of a frame that is come to; -1 for none."""
@@ -139,7 +139,7 @@ class Navigator(QObject):
         name = frame.name if frame is not None else None
         self._whole.cancel()
         self.stay()
-        self._outside.watch_file(None if frame is None else frame.annotation_path)
+        self._outside.watch.watch(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
         self._second.show(name)
         found: dict[str, object] = {

@@ -27,7 +27,7 @@ from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
 from procc_annotator.gui.state.prediction.computed_sources import ShotTrack
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
-from procc_annotator.gui.state.review_state import BlindLock, ReviewState
+from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
@@ -51,9 +51,9 @@ class Proposals(QObject):
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
 
-    def __init__(self, store: Store, blind_lock: BlindLock, cache: FrameCache) -> None:
+    def __init__(self, store: Store, cache: FrameCache) -> None:
         super().__init__(store)
-        self._store, self._blind_lock, self._cache = store, blind_lock, cache
+        self._store, self._cache = store, cache
         self.wanted = True
         self._derived = ComputedValue(
             self._next,
@@ -83,7 +83,8 @@ class Proposals(QObject):
 
     def allowed_in(self, frame: str | None) -> bool:
         """As `allowed`, for any frame by name."""
-        return self._store.state.reveals(frame) and self._blind_lock.lock is None
+        state = self._store.state
+        return state.reveals(frame) and state.blind_lock is None
 
     @property
     def here(self) -> Proposal | None:
@@ -125,7 +126,7 @@ class Proposals(QObject):
         """Return whether a camera should be proposed for a frame: no one annotated it."""
         state = self._store.state
         workspace = state.workspace
-        if workspace is None or index < 0 or not self.wanted or self._blind_lock.lock is not None:
+        if workspace is None or index < 0 or not self.wanted or state.blind_lock is not None:
             return False
         if index == state.frame_index:
             annotation = state.annotation
@@ -292,11 +293,6 @@ class PredictionSource(QObject):
             corrections.changed,
         ):
             signal.connect(self._look)
-
-    @property
-    def allowed(self) -> bool:
-        """Return whether it may be shown: blind mode is for clicks that nothing has influenced."""
-        return self._live_fit.allowed
 
     @property
     def wanted(self) -> bool:

@@ -9,13 +9,14 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame, TrackedCameras
+from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import ComputedValue
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.scoring.commands import CameraSourceCommands
 from procc_annotator.gui.state.scoring.frame_score import SourceFrames
-from procc_annotator.gui.state.sequences import OpenSequence
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.palette import FIT, TRACK
 
@@ -127,8 +128,7 @@ class FitSource(QObject):
 
     def _leave(self) -> None:
         self._forget(self.cameras.fits)
-        if self.listed:
-            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+        self._sources.remove_source(self.source)
 
     def _forget(self, frames: Collection[str]) -> None:
         """Drop what is known of some frames, also how they scored."""
@@ -176,7 +176,9 @@ class ShotTrack(QObject):
     followed = Signal(object)  # these frames came while a shot is followed
     forgotten = Signal()  # nothing of what is under way is wanted either
 
-    def __init__(self, store: Store, sequence: OpenSequence, sources: CameraSourceCommands) -> None:
+    def __init__(
+        self, store: Store, sequence: ComputedValue[FrameSequence], sources: CameraSourceCommands
+    ) -> None:
         super().__init__(store)
         self._store, self._sequence, self._sources = store, sequence, sources
         self.tracked: dict[int, TrackedFrame] = {}
@@ -191,10 +193,16 @@ class ShotTrack(QObject):
     @property
     def here(self) -> TrackedFrame | None:
         """Return what is known of the frame on screen."""
+        number = self.number_here
+        return None if number is None else self.tracked.get(number)
+
+    @property
+    def number_here(self) -> int | None:
+        """The number of the frame on screen in the sequence."""
         sequence, index = self._sequence.value, self._store.state.frame_index
         if sequence is None or not 0 <= index < len(sequence.numbers):
             return None
-        return self.tracked.get(int(sequence.numbers[index]))
+        return int(sequence.numbers[index])
 
     @property
     def fit_here(self) -> FitResult | None:
@@ -271,7 +279,7 @@ class ShotTrack(QObject):
     # --- inside ---
 
     def _begin_anew(self) -> None:
-        self._leave()
+        self._sources.remove_source(self.source)
         self.source.clear()
         self.forget()
 
@@ -298,11 +306,7 @@ class ShotTrack(QObject):
         elif cameras.frames:
             self._sources.show_source_again(self.source)
         else:
-            self._leave()
-
-    def _leave(self) -> None:
-        if self.source in self._store.state.sources:
-            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+            self._sources.remove_source(self.source)
 
 
 def _own_elements(field: Field) -> tuple[Element, ...]:

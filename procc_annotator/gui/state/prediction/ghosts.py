@@ -46,9 +46,9 @@ class Ghosts(QObject):
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
 
-    def __init__(self, store: Store, foresight: PredictionSource, review: ReviewState) -> None:
+    def __init__(self, store: Store, prediction: PredictionSource, review: ReviewState) -> None:
         super().__init__(store)
-        self._store, self._foresight, self._review = store, foresight, review
+        self._store, self._prediction, self._review = store, prediction, review
         self.wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
         self._latest: FrameAnalysis | None = None  # of this frame, while a newer one is computed
@@ -56,7 +56,7 @@ class Ghosts(QObject):
         self.suggestion: AnnotationSuggestion | None = None
         self.walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
-        self._told: tuple[object, ...] = ()
+        self._signalled: tuple[object, ...] = ()
         self._points = ComputedValue(
             self._to_find,
             lambda *inputs: find_points(*inputs),
@@ -67,7 +67,7 @@ class Ghosts(QObject):
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
         store.keep_current(self._points)
-        foresight.changed.connect(self._look)
+        prediction.changed.connect(self._look)
         store.watch(select.frame, self._look)
         store.watch(lambda s: (s.annotation, s.selection), self._look, When.AFTER_PAINT)
         review.notVisibleChanged.connect(self._look)
@@ -83,7 +83,7 @@ class Ghosts(QObject):
     @property
     def insight(self) -> FrameAnalysis | None:
         """Return what the ghosts follow from; None where none may be shown."""
-        return self._foresight.insight if self.wanted else None
+        return self._prediction.insight if self.wanted else None
 
     @property
     def known(self) -> tuple[Ghost, ...]:
@@ -117,7 +117,8 @@ class Ghosts(QObject):
     @property
     def suggesting(self) -> bool:
         """Return whether suggestions of what to annotate next are wanted, and may be."""
-        return self._suggesting and self._foresight.wanted and self._foresight.allowed
+        allowed = self._store.state.projection_visible
+        return self._suggesting and self._prediction.wanted and allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
         """Say what to annotate next, or do not."""
@@ -253,8 +254,8 @@ class Ghosts(QObject):
         asked = self._to_find()
         if asked is not None and isinstance(ghost := asked[0], Ghost):
             title = tr(self._store.state.field.title_of(ghost.name))
-            told = tr("{title}: its line could not be looked for: {why}", title=title, why=text)
-            say(self._store, told, "warning")
+            said = tr("{title}: its line could not be looked for: {why}", title=title, why=text)
+            say(self._store, said, "warning")
 
     # --- keeping up -----------------------------------------------------------------------
 
@@ -264,7 +265,7 @@ class Ghosts(QObject):
         here = state.frame_name, state.field.name
         if here != self._frame:
             self._frame, self._at, self.walking, self._latest = here, None, False, None
-        fitted = self._foresight.insight
+        fitted = self._prediction.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
         self.painted, self.suggestion = self._to_paint(), self._to_suggest()
@@ -273,15 +274,15 @@ class Ghosts(QObject):
             self._go_on()
         self._points.retry()
         walk, wanted = (self.walking, self._at), (self.wanted, self.suggesting, self._hidden)
-        told = insight, here, self.painted, self.suggestion, walk, wanted
-        if not same(told, self._told):
-            self._told = told
+        signalled = insight, here, self.painted, self.suggestion, walk, wanted
+        if not same(signalled, self._signalled):
+            self._signalled = signalled
             self.changed.emit()
 
     @property
     def _may_come(self) -> bool:
-        foresight = self._foresight
-        return foresight.allowed and foresight.wanted and foresight.working
+        prediction, allowed = self._prediction, self._store.state.projection_visible
+        return allowed and prediction.wanted and prediction.working
 
     @property
     def _there(self) -> frozenset[str]:

@@ -61,11 +61,7 @@ class LiveFit(ComputedValue[Fitted]):
     """
 
     def __init__(
-        self,
-        store: Store,
-        review: ReviewState,
-        blind_lock: BlindLock,
-        judge: FrameScorer,
+        self, store: Store, review: ReviewState, blind_lock: BlindLock, scorer: FrameScorer
     ) -> None:
         self._terms = _Terms(store.state.setup)
         super().__init__(
@@ -77,7 +73,7 @@ class LiveFit(ComputedValue[Fitted]):
             delay_ms=self._get_ready,
         )
         self._store, self._review = store, review
-        self._blind_lock, self._judge = blind_lock, judge
+        self._blind_lock, self._scorer = blind_lock, scorer
         self.model = DEFAULT_MODEL
         self.chosen = True
         self._frame: str | None = None
@@ -90,13 +86,7 @@ class LiveFit(ComputedValue[Fitted]):
     def wanted(self) -> bool:
         """Return whether the fit is on: a person wants one, and the dataset is not locked to blind
         mode, where nothing that follows from the clicks may come to guide them."""
-        return self.chosen and self._blind_lock.lock is None
-
-    @property
-    def allowed(self) -> bool:
-        """Return whether the fit may be shown: blind mode is for clicks that nothing has
-        influenced."""
-        return self._store.state.projection_visible
+        return self.chosen and self._store.state.blind_lock is None
 
     @property
     def insight(self) -> FrameAnalysis | None:
@@ -143,7 +133,7 @@ class LiveFit(ComputedValue[Fitted]):
         assert name is not None
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
         size = state.picture_size or state.setup.size
-        field, hidden = self._judge.frame_setup.field, self._review.not_visible(name)
+        field, hidden = self._scorer.frame_setup.field, self._review.not_visible(name)
         return state.annotation, field, name, size, self.model, hidden
 
     def _get_ready(self, inputs: Inputs) -> int:

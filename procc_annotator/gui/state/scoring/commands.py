@@ -24,7 +24,7 @@ from procc_annotator.gui.state.camera_sources import (
 )
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.scoring.dataset_scores import DatasetScores, DatasetScoring
+from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
@@ -42,18 +42,11 @@ class EvaluationSettings(QObject):
         """Change the threshold within its limits; nothing is measured again."""
         self._store.update(tau=round(min(max(tau, MIN_TAU), MAX_TAU), 1))
 
-    def set_protocol(
-        self,
-        protocol: str | None = None,
-        *,
-        off_plane: str | None = None,
-    ) -> None:
+    def set_protocol(self, protocol: str | None = None, *, off_plane: str | None = None) -> None:
         """Change the terms of the evaluation."""
         setup = self._store.state.setup
         other = replace(
-            setup,
-            protocol=protocol or setup.protocol,
-            off_plane=off_plane or setup.off_plane,
+            setup, protocol=protocol or setup.protocol, off_plane=off_plane or setup.off_plane
         )
         if other != setup:
             self._store.update(setup=other)
@@ -128,12 +121,9 @@ class EvaluationSettings(QObject):
 class CameraSourceCommands(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
-    def __init__(
-        self, store: Store, auditing: DatasetScoring, set_scores: DatasetScores, review: ReviewState
-    ) -> None:
+    def __init__(self, store: Store, scoring: DatasetScoring, review: ReviewState) -> None:
         super().__init__(store)
-        self._store, self._auditing = store, auditing
-        self._set_scores, self._review = set_scores, review
+        self._store, self._scoring, self._review = store, scoring, review
 
     # --- which there are ----------------------------------------------------------------------
 
@@ -148,10 +138,10 @@ class CameraSourceCommands(QObject):
             say(self._store, str(error), "error")
             return False
         if not cameras.frames or self._only_below(cameras):
-            told = tr(
+            text = tr(
                 "{path}: no cameras in it ({what_to_do})", path=path, what_to_do=where_else(path)
             )
-            say(self._store, told, "error")
+            say(self._store, text, "error")
             return False
         source = self.add_source(cameras)
         if name is not None:
@@ -200,11 +190,11 @@ class CameraSourceCommands(QObject):
         sources = list(self._store.state.sources)
         source = next((s for s in sources if same_files(s.files, cameras)), None)
         if source is not None:
-            self._set_scores.cancel()  # what it found is of the cameras before
+            self._scoring.cancel()  # what it found is of the cameras before
             cameras.name = source.name
             source.camera_set = cameras
             if changed is None:
-                self._set_scores.forget([source])
+                self._scoring.forget([source])
             else:
                 source.forget(changed)
         else:
@@ -227,6 +217,11 @@ class CameraSourceCommands(QObject):
             from_files = [source for source in sources if source.files is not None]
             active = from_files[min(index, len(from_files) - 1)] if from_files else None
         self._list(sources, active)
+
+    def remove_source(self, source: CameraSource) -> None:
+        """Forget a source, if it is listed."""
+        if source in self._store.state.sources:
+            self.remove_camera_set(self._store.state.sources.index(source))
 
     def clear_sources(self) -> None:
         """Forget all sources."""
@@ -275,7 +270,7 @@ class CameraSourceCommands(QObject):
         """A source of fits has another camera for the frame on screen, or none any more."""
         if source in self._store.state.sources:
             self._show_looks()
-            self._auditing.fitted(source)
+            self._scoring.fitted(source)
 
     # --- inside -------------------------------------------------------------------------------
 

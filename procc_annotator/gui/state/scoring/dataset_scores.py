@@ -30,8 +30,8 @@ from procc_annotator.metrics.measurement import Measurement, measure_projected
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup
 
-_TELL_AFTER_S = 0.25
-_TELL_PLOTS_AFTER_S = 1.0
+_PROGRESS_S = 0.25
+_SIGNAL_S = 1.0
 
 ReadAnnotation = Callable[[], FrameAnnotation | None]
 
@@ -75,179 +75,6 @@ class _Outcome:
     problem: str
 
 
-class DatasetScores(QObject):
-    """Audits the frames of all sources, one source after the other."""
-
-    progressed = Signal(int, int)
-
-    def __init__(self, store: Store) -> None:
-        super().__init__(store)
-        self._store = store
-        self._set_work = LatestOnlyTask(self, self._fail)
-        self._frame_work: dict[str, LatestOnlyTask] = {}
-        self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
-        self._untold: dict[CameraSource, float] = {}  # since when
-
-    @property
-    def running(self) -> bool:
-        """Return whether the set is being audited."""
-        return self._set_work.running
-
-    def cancel(self) -> None:
-        """Stop auditing; what was found so far stays."""
-        if self._set_work.stop_keep_partial():
-            self._end()
-
-    def close(self) -> None:
-        """Stop everything that is under way."""
-        self.cancel()
-        for work in self._frame_work.values():
-            work.cancel()
-        self._frame_work.clear()
-
-    def forget(self, sources: Sequence[CameraSource]) -> None:
-        """Drop all that is known of these sources, and what is under way: the terms changed."""
-        self.close()
-        for source in sources:
-            source.clear()
-            self._notify(source)
-
-    def start(
-        self,
-        sources: Sequence[CameraSource],
-        readers: Mapping[str, ReadAnnotation],
-        setup: EvaluationSetup,
-        tau: float,
-    ) -> None:
-        """Audit in the background what was not examined yet.
-
-        Args:
-            sources: in the order they are to be done.
-            readers: frame name -> how to read its annotation, from any thread; None where a frame
-                belongs to no figure of the set.
-            setup: the terms; sources audited under others must have been cleared.
-            tau: px, decides between plain and mirrored labels.
-        """
-        self.cancel()
-        self._touched.clear()
-        wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in sources]
-        total = sum(len(names) for _, _, names in wanted)
-        if not total:
-            return
-
-        def work(control: JobControl) -> None:
-            done, told = 0, monotonic()
-            for source, cameras, names in wanted:
-                for name in names:
-                    if control.cancelled:
-                        return
-                    audit, problem = _audit(name, readers[name], cameras, setup, tau)
-                    control.emit_partial(_Outcome(source, name, audit, problem))
-                    done += 1
-                    if monotonic() - told > _TELL_AFTER_S:
-                        control.progress(done, total)
-                        told = monotonic()
-
-        self._set_work.start(
-            work, lambda _: self._end(), progress=self._progressed, partial=self._take
-        )
-
-    def put(
-        self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
-        tau: float, fitted: FitCounts = NOT_FITTED,
-    ) -> None:  # fmt: skip
-        """Take over how a source does in the frame on screen after an edit.
-
-        Args:
-            fitted: whether its camera was fitted to these very clicks.
-        """
-        self._touched.add((source, frame))
-        known, problem = frame in source.audits, source.problems.get(frame, "")
-        audit = None
-        if measurement is not None and shown.camera is not None:
-            audit = audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted)
-        source.take(frame, audit, shown.error)
-        if known or audit is not None or shown.error != problem:
-            self._notify(source, frame)
-
-    def audit_again(
-        self,
-        frame: str,
-        annotation: FrameAnnotation | None,
-        shown: Sequence[tuple[CameraSource, SourceFrame | None]],
-        setup: EvaluationSetup,
-        tau: float,
-    ) -> None:
-        """Audit one frame after an edit with some sources, in the background.
-
-        Args:
-            frame: its name.
-            annotation: what is in it now; None if it belongs to no figure of the set.
-            shown: what the sources show of it, as far as known.
-        """
-        self._touched.update((source, frame) for source, _ in shown)
-        if (earlier := self._frame_work.pop(frame, None)) is not None:
-            earlier.cancel()
-        if not shown:
-            return
-        read: ReadAnnotation = lambda: annotation  # noqa: E731
-        asked = [(source, source.camera_set, known) for source, known in shown]
-
-        def work(control: JobControl) -> list[_Outcome]:
-            return [
-                _Outcome(source, frame, *_audit(frame, read, cameras, setup, tau, known))
-                for source, cameras, known in asked
-            ]
-
-        def done(outcomes: list[_Outcome]) -> None:
-            self._frame_work.pop(frame, None)
-            now = {source for source, cameras, _ in asked if source.camera_set is cameras}
-            for outcome in outcomes:
-                if outcome.source not in now:
-                    continue  # its cameras are others by now
-                outcome.source.take(frame, outcome.audit, outcome.problem)
-                self._notify(outcome.source, frame)
-
-        failed = partial(say, self._store, level="error")
-        self._frame_work[frame] = LatestOnlyTask(self, failed, priority=Priority.URGENT)
-        self._frame_work[frame].start(work, done)
-
-    # --- inside ---
-
-    def _progressed(self, done: int, total: int) -> None:
-        now = monotonic()
-        if any(now - since > _TELL_PLOTS_AFTER_S for since in self._untold.values()):
-            self._tell_changed()
-        self.progressed.emit(done, total)
-
-    def _take(self, outcomes: list[_Outcome]) -> None:
-        now = monotonic()
-        for outcome in outcomes:
-            if (outcome.source, outcome.frame) not in self._touched:
-                outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
-                self._untold.setdefault(outcome.source, now)
-
-    def _tell_changed(self) -> None:
-        untold, self._untold = self._untold, {}
-        for source in untold:
-            self._notify(source)
-
-    def _notify(self, source: CameraSource, frame: str = "") -> None:
-        """Signal other scores of a source in a frame, or in many ("")."""
-        if source in self._store.state.sources:
-            self._store.events.sourceAuditsChanged.emit(source)
-        if source is self._store.state.active:
-            self._store.events.frameScoresChanged.emit(frame)
-
-    def _end(self) -> None:
-        self._tell_changed()
-        self.progressed.emit(0, 0)
-
-    def _fail(self, text: str) -> None:
-        self._end()
-        say(self._store, text, "error")
-
-
 def _audit(
     frame: str,
     read: ReadAnnotation,
@@ -277,29 +104,46 @@ _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, whic
 
 
 class DatasetScoring(QObject):
-    """Has the sources looked up and audited again where dataset, frame, terms or cameras differ."""
+    """Audits the frames of the dataset with every source, one source after the other, and again
+    where dataset, frame, settings or cameras differ."""
 
-    def __init__(
-        self,
-        store: Store,
-        judge: FrameScorer,
-        source_frames: SourceFrames,
-        set_scores: DatasetScores,
-    ) -> None:
+    progressed = Signal(int, int)  # frames of all sources audited, of how many; (0, 0): finished
+
+    def __init__(self, store: Store, scorer: FrameScorer, source_frames: SourceFrames) -> None:
         super().__init__(store)
-        self._store, self._judge = store, judge
-        self._source_frames, self._set_scores = source_frames, set_scores
+        self._store, self._scorer, self._source_frames = store, scorer, source_frames
+        self._set_work = LatestOnlyTask(self, self._fail)
+        self._frame_work: dict[str, LatestOnlyTask] = {}
+        self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
+        self._unsignalled: dict[CameraSource, float] = {}  # since when
         self._edited = False  # the frame on screen, since it was judged
         self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
         self._soon = after_paint(self, self.settle)
         source_frames.set_setup(store.state.setup)
+
+    @property
+    def running(self) -> bool:
+        """Return whether the set is being audited."""
+        return self._set_work.running
+
+    def cancel(self) -> None:
+        """Stop scoring; what was found so far stays."""
+        if self._set_work.stop_keep_partial():
+            self._end()
+
+    def forget(self, sources: Sequence[CameraSource]) -> None:
+        """Drop all that is known of these sources, and what is under way: the settings changed."""
+        self._stop()
+        for source in sources:
+            source.clear()
+            self._notify(source)
 
     def follow(self, old: State, new: State) -> None:
         """The state is another one: what was looked up and audited under others is forgotten."""
         if new.setup is not old.setup:
             self._source_frames.set_setup(new.setup)
         if new.setup is not old.setup or new.workspace is not old.workspace:
-            self._set_scores.forget(new.sources)
+            self.forget(new.sources)
         if not same(_looked_up(old), _looked_up(new)):
             self._look_up(new)
         if not same(_audited(old), _audited(new)):
@@ -348,16 +192,16 @@ class DatasetScoring(QObject):
             self._judge_fit(source)
 
     def close(self) -> None:
-        """Look up and audit nothing any more."""
+        """Audit nothing any more."""
         self._soon.stop()
-        self._set_scores.close()
+        self._stop()
 
     def frames_edited(self, names: Collection[str]) -> None:
         """Annotations of frames that are not on screen are others now: audit these anew."""
-        self._set_scores.cancel()  # what it found there is of the annotations before
+        self.cancel()  # what it found there is of the annotations before
         sources = self._store.state.sources
         if len(names) > _FORGOTTEN_ONE_BY_ONE:
-            self._set_scores.forget(sources)
+            self.forget(sources)
         else:
             for source in sources:
                 source.forget(names)
@@ -375,16 +219,16 @@ class DatasetScoring(QObject):
             return
         if active is not None and active.files is not None:
             measured = self._measured if state.counts else None
-            shown = self._judge.shown
+            shown = self._scorer.shown
             fitted = FitCounts.of(shown.fitted_on, state.annotation)
-            self._set_scores.put(active, name, shown, measured, state.tau, fitted)
+            self._put(active, name, shown, measured, state.tau, fitted)
         others = [
             (s, self._source_frames.of(s))
             for s in state.sources
             if s.files is not None and s is not active
         ]
         now = state.annotation if state.counts else None
-        self._set_scores.audit_again(name, now, others, state.setup, state.tau)
+        self._audit_again(name, now, others, state.setup, state.tau)
 
     def _judge_fit(self, source: CameraSource) -> None:
         state = self._store.state
@@ -397,18 +241,18 @@ class DatasetScoring(QObject):
             if source is state.active:
                 measurement = self._measured
             else:
-                terms = self._judge.frame_setup
+                terms = self._scorer.frame_setup
                 measurement = measure_projected(state.annotation, shown.projected, terms)
-        self._set_scores.put(source, name, shown, measurement, state.tau)
+        self._put(source, name, shown, measurement, state.tau)
         self._source_frames.changed.emit()
 
     @property
     def _measured(self) -> Measurement | None:
         """The measurement of the annotation without a gesture in progress."""
-        state, projected = self._store.state, self._judge.shown.projected
+        state, projected = self._store.state, self._scorer.shown.projected
         if projected is None or state.preview is None:
-            return self._judge.judged[0]
-        return measure_projected(state.annotation, projected, self._judge.frame_setup)
+            return self._scorer.judged[0]
+        return measure_projected(state.annotation, projected, self._scorer.frame_setup)
 
     def _look_up(self, state: State) -> None:
         frames = state.workspace.frames if state.workspace is not None else ()
@@ -421,14 +265,136 @@ class DatasetScoring(QObject):
         """Audit what is not audited yet in the background, the active source first."""
         workspace = state.workspace
         if workspace is None:
-            self._set_scores.cancel()
+            self.cancel()
             return
         readers: dict[str, Callable[[], FrameAnnotation | None]] = {
             frame.name: partial(workspace.annotation_to_score, i)
             for i, frame in enumerate(workspace.frames)
         }
         ordered = sorted(state.sources, key=lambda source: source is not state.active)
-        self._set_scores.start(ordered, readers, state.setup, state.tau)
+        setup, tau = state.setup, state.tau
+        self.cancel()
+        self._touched.clear()
+        wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in ordered]
+        total = sum(len(names) for _, _, names in wanted)
+        if not total:
+            return
+
+        def work(control: JobControl) -> None:
+            done, reported = 0, monotonic()
+            for source, cameras, names in wanted:
+                for name in names:
+                    if control.cancelled:
+                        return
+                    audit, problem = _audit(name, readers[name], cameras, setup, tau)
+                    control.emit_partial(_Outcome(source, name, audit, problem))
+                    done += 1
+                    if monotonic() - reported > _PROGRESS_S:
+                        control.progress(done, total)
+                        reported = monotonic()
+
+        self._set_work.start(
+            work, lambda _: self._end(), progress=self._progressed, partial=self._take
+        )
+
+    def _put(
+        self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
+        tau: float, fitted: FitCounts = NOT_FITTED,
+    ) -> None:  # fmt: skip
+        """Take over how a source does in the frame on screen after an edit.
+
+        Args:
+            fitted: whether its camera was fitted to these very clicks.
+        """
+        self._touched.add((source, frame))
+        known, problem = frame in source.audits, source.problems.get(frame, "")
+        audit = None
+        if measurement is not None and shown.camera is not None:
+            audit = audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted)
+        source.take(frame, audit, shown.error)
+        if known or audit is not None or shown.error != problem:
+            self._notify(source, frame)
+
+    def _audit_again(
+        self,
+        frame: str,
+        annotation: FrameAnnotation | None,
+        shown: Sequence[tuple[CameraSource, SourceFrame | None]],
+        setup: EvaluationSetup,
+        tau: float,
+    ) -> None:
+        """Audit one frame after an edit with some sources, in the background.
+
+        Args:
+            frame: its name.
+            annotation: what is in it now; None if it belongs to no figure of the set.
+            shown: what the sources show of it, as far as known.
+        """
+        self._touched.update((source, frame) for source, _ in shown)
+        if (earlier := self._frame_work.pop(frame, None)) is not None:
+            earlier.cancel()
+        if not shown:
+            return
+        read: ReadAnnotation = lambda: annotation  # noqa: E731
+        asked = [(source, source.camera_set, known) for source, known in shown]
+
+        def work(control: JobControl) -> list[_Outcome]:
+            return [
+                _Outcome(source, frame, *_audit(frame, read, cameras, setup, tau, known))
+                for source, cameras, known in asked
+            ]
+
+        def done(outcomes: list[_Outcome]) -> None:
+            self._frame_work.pop(frame, None)
+            now = {source for source, cameras, _ in asked if source.camera_set is cameras}
+            for outcome in outcomes:
+                if outcome.source not in now:
+                    continue  # its cameras are others by now
+                outcome.source.take(frame, outcome.audit, outcome.problem)
+                self._notify(outcome.source, frame)
+
+        failed = partial(say, self._store, level="error")
+        self._frame_work[frame] = LatestOnlyTask(self, failed, priority=Priority.URGENT)
+        self._frame_work[frame].start(work, done)
+
+    def _stop(self) -> None:
+        self.cancel()
+        for work in self._frame_work.values():
+            work.cancel()
+        self._frame_work.clear()
+
+    def _progressed(self, done: int, total: int) -> None:
+        now = monotonic()
+        if any(now - since > _SIGNAL_S for since in self._unsignalled.values()):
+            self._signal_changes()
+        self.progressed.emit(done, total)
+
+    def _take(self, outcomes: list[_Outcome]) -> None:
+        now = monotonic()
+        for outcome in outcomes:
+            if (outcome.source, outcome.frame) not in self._touched:
+                outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
+                self._unsignalled.setdefault(outcome.source, now)
+
+    def _signal_changes(self) -> None:
+        unsignalled, self._unsignalled = self._unsignalled, {}
+        for source in unsignalled:
+            self._notify(source)
+
+    def _notify(self, source: CameraSource, frame: str = "") -> None:
+        """Signal other scores of a source in a frame, or in many ("")."""
+        if source in self._store.state.sources:
+            self._store.events.sourceAuditsChanged.emit(source)
+        if source is self._store.state.active:
+            self._store.events.frameScoresChanged.emit(frame)
+
+    def _end(self) -> None:
+        self._signal_changes()
+        self.progressed.emit(0, 0)
+
+    def _fail(self, text: str) -> None:
+        self._end()
+        say(self._store, text, "error")
 
 
 def _looked_up(state: State) -> tuple[object, ...]:
