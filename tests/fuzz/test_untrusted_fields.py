@@ -45,11 +45,11 @@ def test_a_formula_takes_no_time_and_runs_nothing(tmp_path, formula):
     path.write_text(
         SOCCER.replace('radius = "circle_radius"', f"radius = {json.dumps(formula)}", 1)
     )
-    started = time.perf_counter()
+    started = time.process_time()
     with pytest.raises(FieldError) as caught:
         load_field(path)
     assert "element 'Circle central'.radius: " in in_one_line(caught, str(path))
-    assert time.perf_counter() - started < 5  # seconds to hours before; milliseconds now
+    assert time.process_time() - started < 5  # seconds to hours before; milliseconds now
 
 
 @pytest.mark.parametrize(
@@ -71,10 +71,10 @@ def test_a_formula_takes_no_time_and_runs_nothing(tmp_path, formula):
 def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path, added):
     path = tmp_path / "f.toml"
     path.write_text(SOCCER + "\n" + added)
-    started = time.perf_counter()
+    started = time.process_time()
     with pytest.raises(FieldError) as caught:
         load_field(path)
-    assert time.perf_counter() - started < 10
+    assert time.process_time() - started < 10
     in_one_line(caught, str(path))
 
 

@@ -8,7 +8,7 @@ import zlib
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import cv2
 import numpy as np
@@ -19,7 +19,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.assist.line_evidence import line_evidence
 from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.calibration.result import FitResult
@@ -34,6 +34,7 @@ from procc_annotator.gui.state import background, review_state, visible_update
 from procc_annotator.gui.state.checking import label_check, runner
 from procc_annotator.gui.state.checking.label_check import Evidence
 from procc_annotator.gui.state.prediction import camera_choice, live_fit
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import PlainTextStyle
 from procc_annotator.gui.window.key_dialogs import KeySheet
 from tests.gui.known_already import hand_out
@@ -274,6 +275,73 @@ def window(make_window, dataset) -> MainWindow:
     return make_window(dataset)
 
 
+T = TypeVar("T", bound=QWidget)
+OpenServices = Callable[..., Services]
+
+
+@pytest.fixture
+def open_services(qapp) -> Iterator[OpenServices]:
+    """Open datasets, each as a window of its own does; all are closed at the end."""
+    made: list[Services] = []
+
+    def make(path: Path | None = None) -> Services:
+        services = Services()
+        made.append(services)
+        assert path is None or services.opening.open_path(path)
+        return services
+
+    yield make
+    for services in made:
+        services.close()
+
+
+@pytest.fixture
+def services(open_services, dataset) -> Services:
+    """The state on the three pictures."""
+    return open_services(dataset)
+
+
+@pytest.fixture
+def said(services) -> list[str]:
+    """The messages from now on, in order; the last one is shown."""
+    return heard(services)
+
+
+@pytest.fixture
+def widget(qtbot) -> QWidget:
+    """The parent of the dialogs that commands open."""
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    return parent
+
+
+@pytest.fixture
+def show(qtbot) -> Callable[[T], T]:
+    """Show a panel or a bar by itself."""
+
+    def shown(widget: T) -> T:
+        qtbot.addWidget(widget)
+        widget.resize(420, 480)
+        with qtbot.waitActive(widget):  # or it would not have the keyboard
+            widget.show()
+            widget.activateWindow()
+        return widget
+
+    return shown
+
+
+LINE = ((0.15, 0.3), (0.3, 0.6))
+
+
+def draw(services: Services, name: str, *points: tuple[float, float]) -> bool:
+    """Draw an element through points (u, v), as finished clicks do; True once it is saved, False if
+    the frame cannot be edited."""
+    drawn = Polyline(name, tuple(Point(u, v) for u, v in points or LINE))
+    done = services.editing.edit(f"draw {name}", lambda seen: seen.with_polyline(drawn))
+    services.saver.settle()
+    return done
+
+
 class Hand:
     """A person's mouse over the canvas: positions are in picture px."""
 
@@ -431,20 +499,31 @@ def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: window.services.live_fit.insight is not None)
 
 
+def audit(services: Services, folder: Path, qtbot: QtBot) -> None:
+    """Score the sample under three sources, the first one active; there is no live fit, which would
+    be a fourth source."""
+    services.live_fit.set_wanted(False)
+    for name in ("true", "bad", "pinhole"):
+        assert services.camera_sources.load_cameras(folder / "cameras" / name)
+    services.camera_sources.set_active_camera(0)
+    services.navigator.go_to(1)
+    settle(services, qtbot)
+
+
 @pytest.fixture
 def audited(make_window, annotated, qtbot) -> MainWindow:
-    """The window on the sample with three sources, all frames audited; the first one is active.
-
-    There is no live fit, which would be a fourth source.
-    """
+    """The window on the sample with three sources, all frames audited."""
     window = make_window(annotated)
-    window.services.live_fit.set_wanted(False)
-    for name in ("true", "bad", "pinhole"):
-        assert window.services.camera_sources.load_cameras(annotated / "cameras" / name)
-    window.services.camera_sources.set_active_camera(0)
-    window.services.navigator.go_to(1)
-    settle(window, qtbot)
+    audit(window.services, annotated, qtbot)
     return window
+
+
+@pytest.fixture
+def scored(open_services, annotated, qtbot) -> Services:
+    """The same without a window."""
+    services = open_services(annotated)
+    audit(services, annotated, qtbot)
+    return services
 
 
 def until_kept() -> None:
@@ -460,9 +539,8 @@ def let_work_end(qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: not background._dispatcher().jobs)
 
 
-def settle(window: MainWindow, qtbot: QtBot) -> None:
+def settle(services: Services, qtbot: QtBot) -> None:
     """Wait until everything computed in the background has arrived."""
-    services = window.services
     qtbot.waitUntil(lambda: not services.scoring.waiting)
     qtbot.waitUntil(lambda: not services.scoring.running)
     qtbot.waitUntil(

@@ -57,8 +57,8 @@ def window(make_window, dataset, qtbot) -> MainWindow:
     services.editing.commit_frame()
     window.triage.mark("camera")
     services.navigator.go_to(services.state.workspace.index[HERE])
-    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
-    settle(window, qtbot)
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None)
+    settle(window.services, qtbot)
     window.triage.mark("camera")
     for name in ("scores", "fit", "cameras"):
         window.panels.show(name)
@@ -187,7 +187,7 @@ class Look:
 
     def saved_fit(self) -> object:
         folder = self.folder / "sample" / "cameras" / "fitted"
-        with self.qtbot.waitSignal(self.window.services.store.events.message, timeout=20_000):
+        with self.qtbot.waitSignal(self.window.services.store.events.message):
             self.window.actions_["save_fit"].trigger()
         there = folder.exists()
         shutil.rmtree(folder, ignore_errors=True)
@@ -201,9 +201,7 @@ class Look:
         self.window.actions_["field_dimensions"].trigger()
         dialog = self.window.field_dimensions.dialog
         dialog.estimate_button.click()
-        self.qtbot.waitUntil(
-            lambda: bool(dialog.found.text()) and dialog.bar.isHidden(), timeout=60_000
-        )
+        self.qtbot.waitUntil(lambda: bool(dialog.found.text()) and dialog.bar.isHidden())
         said = dialog.found.text()
         dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel).click()
         return "2 frames" in said
@@ -230,13 +228,11 @@ class Look:
         for _ in range(3):
             step()
             all_done(self.qtbot)
-            self.qtbot.waitUntil(
-                lambda: not self.window.worst_first._comparing.running, timeout=20_000
-            )
+            self.qtbot.waitUntil(lambda: not self.window.worst_first._comparing.running)
             seen.add(services.state.frame.name)
         services.navigator.go_to(here)
         all_done(self.qtbot)
-        self.qtbot.waitUntil(lambda: not services.live_fit.working, timeout=20_000)
+        self.qtbot.waitUntil(lambda: not services.live_fit.working)
         return HERE in seen
 
     def _plotted(self, scope: str) -> bool:
@@ -245,7 +241,7 @@ class Look:
         plots.scope.setCurrentIndex(plots.scope.findData(scope))
         plots.choose(TimelinePage.title if scope == "set" else TauPage.title)
         self._pass()
-        self.qtbot.waitUntil(lambda: not plots.busy, timeout=20_000)
+        self.qtbot.waitUntil(lambda: not plots.busy)
         if plots.page.is_empty:
             return False
         rows = csv.DictReader(io.StringIO(self._written("plot.csv", plots.save_numbers)))
@@ -258,7 +254,7 @@ class Look:
         path = self.folder / name
         path.unlink(missing_ok=True)
         write(path)
-        self.qtbot.waitUntil(path.exists, timeout=20_000)
+        self.qtbot.waitUntil(path.exists)
         all_done(self.qtbot)
         text = path.read_text(encoding="utf-8")
         path.unlink()
@@ -281,7 +277,7 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(window, tmp_path, qtb
     all_done(qtbot)
     assert telling(look) == []
     services.editing.commit_frame()
-    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None)
     all_done(qtbot)
     # A mean over the set is of frames that are not committed, too.
     assert telling(look) == [name for name in LOOKS if name != "source_rows"]
@@ -299,7 +295,7 @@ def blind(make_window, dataset, qtbot) -> MainWindow:
     services.blind_lock.set_blind(True)
     assert services.camera_sources.load_cameras(dataset / "cameras" / "bad")
     services.navigator.go_to(services.state.workspace.index[HERE])
-    settle(window, qtbot)
+    settle(window.services, qtbot)
     return window
 
 
@@ -325,7 +321,7 @@ def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
 
 def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
     window.exporter.write_overview(path)
-    qtbot.waitUntil(path.exists, timeout=20_000)
+    qtbot.waitUntil(path.exists)
     rows = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline=""))
     return {row["name"]: row["blind"] for row in rows}
 
@@ -348,7 +344,7 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(blind, told, tm
     }
     provenance = tmp_path / "provenance.json"
     blind.exporter.write_provenance(provenance)
-    qtbot.waitUntil(provenance.exists, timeout=20_000)
+    qtbot.waitUntil(provenance.exists)
     entries = json.loads(provenance.read_text(encoding="utf-8"))["blind"]
     assert {name: entry[:2] for name, entry in entries.items()} == {
         HERE: ["edited after the cameras were shown", services.state.author],
@@ -430,7 +426,7 @@ def test_exporting_says_what_blind_mode_leaves_out(blind, told, tmp_path, qtbot)
     assert not path.exists()
     blind.services.editing.commit_frame()
     blind.exporter.write_scores(path)
-    qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1], timeout=20_000)
+    qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1])
     rows = list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline="")))
     assert [row["name"] for row in rows] == [HERE]
 
@@ -443,7 +439,7 @@ def test_the_field_is_estimated_from_committed_frames_only(blind, qtbot):
     blind.services.navigator.go_to(blind.services.state.workspace.index[OTHER])
     blind.services.editing.commit_frame()
     dialog.estimate_button.click()
-    qtbot.waitUntil(lambda: "took no part (2)" in dialog.found.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "took no part (2)" in dialog.found.text())
     assert "1 frame;" in dialog.found.text()
 
 

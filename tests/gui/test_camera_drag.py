@@ -478,7 +478,7 @@ class TestInAShot:
         services.opening.open_workspace(open_video(video, range(0, COUNT, 4), services.state.field))
         all_done(qtbot)
         QTest.keyClick(window.canvas, Key.Key_T)
-        qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
+        qtbot.waitUntil(lambda: not window.shot_following.running)
         all_done(qtbot)
         return window
 
@@ -506,8 +506,8 @@ class TestInAShot:
         assert asked == []  # while somebody is here
 
         services.navigator.go_to(3)
-        qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
-        qtbot.waitUntil(lambda: not shot.shot_following.running, timeout=60_000)
+        qtbot.waitUntil(lambda: bool(asked))
+        qtbot.waitUntil(lambda: not shot.shot_following.running)
         all_done(qtbot)
         assert [sorted(a) for a in asked] == [[8]]
         assert services.shot_track.tracked[8].state == "anchor"
@@ -526,7 +526,7 @@ class TestInAShot:
         shot.canvas.undo()
         assert shot.strip.content.dragged == ()
         services.navigator.go_to(3)
-        qtbot.waitUntil(lambda: services.shot_track.tracked[8].state == "followed", timeout=60_000)
+        qtbot.waitUntil(lambda: services.shot_track.tracked[8].state == "followed")
         all_done(qtbot)
 
 

@@ -59,7 +59,7 @@ def test_no_other_thread_ends_what_qt_owns(qapp, qtbot):
         busy.join()
         assert not ended, "an object of Qt was ended by a thread beside the interface"
         kept = litter()
-        qtbot.waitUntil(lambda: gone() is None, timeout=20_000)
+        qtbot.waitUntil(lambda: gone() is None)
         assert ended == [threading.get_ident()]
         assert len(kept) == MANY
     finally:

@@ -19,8 +19,10 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import ElementProjections
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.scoring.frame_score import SourceFrame
+from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.error_maps import disagreement
 from tests.gui.conftest import Hand, all_done, settle
 
@@ -35,8 +37,8 @@ def hand(audited, hand_on) -> Hand:
     return hand_on(audited)
 
 
-def named(window: MainWindow, name: str) -> CameraSource:
-    return next(s for s in window.services.state.sources if s.name == name)
+def named(services: Services, name: str) -> CameraSource:
+    return next(s for s in services.state.sources if s.name == name)
 
 
 def pixels(window: MainWindow) -> np.ndarray:
@@ -64,7 +66,7 @@ def near_colour(shown: np.ndarray, at: QPointF, colour: str) -> float:
 def seen_at(window: MainWindow, name: str) -> list[QPointF]:
     """Places of the view where a source shows an element, the middles of its segments."""
     services = window.services
-    projected = services.source_frames.of(named(window, name)).projected
+    projected = services.source_frames.of(named(window.services, name)).projected
     scale = [(p - 1) / (s - 1) for p, s in zip((1280, 720), services.state.setup.size, strict=True)]
     places = []
     for pieces in projected.pieces.values():
@@ -88,7 +90,7 @@ def share_in_colour(window: MainWindow, name: str, colour: str) -> float:
 
 class TestWireframes:
     def test_another_source_is_drawn_in_its_colour(self, audited):
-        bad = named(audited, "bad")
+        bad = named(audited.services, "bad")
         assert bad.colour == VIOLET
         audited.services.camera_sources.set_source_colour(
             bad, MAGENTA
@@ -112,19 +114,19 @@ class TestWireframes:
         box.click()
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert VIOLET not in colours
-        assert named(audited, "pinhole").colour in colours
+        assert named(audited.services, "pinhole").colour in colours
 
     def test_the_one_that_is_judged_has_none(self, audited):
         audited.services.camera_sources.set_active_camera(1)
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert VIOLET not in colours
-        assert named(audited, "true").colour in colours
+        assert named(audited.services, "true").colour in colours
 
     def test_each_frame_has_its_own(self, audited, qtbot):
-        audited.services.camera_sources.set_source_colour(named(audited, "bad"), MAGENTA)
+        audited.services.camera_sources.set_source_colour(named(audited.services, "bad"), MAGENTA)
         before = audited.canvas.comparison.wireframes
         audited.services.navigator.next_frame()
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         after = audited.canvas.comparison.wireframes
         assert len(after.strokes) == len(before.strokes)
         assert not np.array_equal(after.strokes[0].segments, before.strokes[0].segments)
@@ -149,7 +151,7 @@ class TestBlink:
 
     def test_while_the_key_is_held_the_other_one_is_seen(self, audited, monkeypatch, qtbot):
         canvas, services = audited.canvas, audited.services
-        services.camera_sources.compare_with(named(audited, "bad"))
+        services.camera_sources.compare_with(named(audited.services, "bad"))
         all_done(qtbot)  # the legend names what is drawn when nothing else is due
         at_first = pixels(audited)
         clock = [100.0]
@@ -165,12 +167,11 @@ class TestBlink:
         self.release(audited)
         assert not plate.isVisible()
         assert services.state.active.name == "true"
-        all_done(qtbot)
-        assert np.array_equal(pixels(audited), at_first)
+        qtbot.waitUntil(lambda: np.array_equal(pixels(audited), at_first))
 
     def test_a_tap_changes_their_places(self, audited):
         services = audited.services
-        services.camera_sources.compare_with(named(audited, "bad"))
+        services.camera_sources.compare_with(named(audited.services, "bad"))
         for active, compared in (("bad", "true"), ("true", "bad")):
             self.press(audited)
             self.release(audited)
@@ -203,7 +204,7 @@ class TestKeysHeldElsewhere:
             radio.setFocus(Qt.FocusReason.TabFocusReason)
         else:
             QTest.mouseClick(window.findChild(QLineEdit, "frames_filter"), LEFT)
-        settle(window, qtbot)
+        settle(window.services, qtbot)
         focused = QApplication.focusWidget()
         assert focused is not None
         assert focused is not window.canvas
@@ -212,17 +213,17 @@ class TestKeysHeldElsewhere:
     @pytest.mark.parametrize("where", ["frames", "source"])
     def test_the_other_source_is_seen_while_comma_is_down(self, audited, qtbot, where, monkeypatch):
         canvas, services = audited.canvas, audited.services
-        services.camera_sources.compare_with(named(audited, "bad"))
+        services.camera_sources.compare_with(named(audited.services, "bad"))
         focused = self.focus(audited, qtbot, where)
         clock = [100.0]
         monkeypatch.setattr("procc_annotator.gui.canvas.comparison.monotonic", lambda: clock[0])
         QTest.keyPress(focused, Qt.Key.Key_Comma)
-        assert canvas.comparison.front is named(audited, "bad")
+        assert canvas.comparison.front is named(audited.services, "bad")
         canvas.setFocus()  # as when the mouse comes over the picture
         assert canvas.comparison.looking
         clock[0] += 2.0
         QTest.keyRelease(canvas, Qt.Key.Key_Comma)
-        assert canvas.comparison.front is services.state.active is named(audited, "true")
+        assert canvas.comparison.front is services.state.active is named(audited.services, "true")
 
     def test_bare_picture_and_loupe(self, audited, qtbot, hand):
         canvas = audited.canvas
@@ -247,7 +248,7 @@ class TestKeysHeldElsewhere:
 
     def test_what_is_held_ends_when_the_key_cannot_be_seen_coming_up(self, audited, qtbot):
         canvas, services = audited.canvas, audited.services
-        services.camera_sources.compare_with(named(audited, "bad"))
+        services.camera_sources.compare_with(named(audited.services, "bad"))
         focused = self.focus(audited, qtbot, "frames")
         for lost_to in ("field", "menu"):
             focused.setFocus()
@@ -261,7 +262,7 @@ class TestKeysHeldElsewhere:
                 QApplication.sendEvent(focused, away)
             assert not canvas.comparison.looking
             assert canvas.overlay_item.overlay.strokes
-            assert services.state.active is named(audited, "true")
+            assert services.state.active is named(audited.services, "true")
 
 
 class TestSplit:
@@ -270,7 +271,7 @@ class TestSplit:
         # Texts give way to each other within what can be seen of their side.
         nothing = "procc_annotator.gui.canvas.overlay_painter.paint_plates"
         monkeypatch.setattr(nothing, lambda *_, **__: None)
-        audited.services.camera_sources.compare_with(named(audited, "bad"))
+        audited.services.camera_sources.compare_with(named(audited.services, "bad"))
         for source in audited.services.state.sources:
             audited.services.camera_sources.set_source_visible(source, False)
         self.whole = pixels(audited)
@@ -282,7 +283,9 @@ class TestSplit:
         services = window.services
         QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
         active = services.state.active
-        services.camera_sources.set_active_camera(services.state.sources.index(named(window, name)))
+        services.camera_sources.set_active_camera(
+            services.state.sources.index(named(window.services, name))
+        )
         shown = pixels(window)
         services.camera_sources.set_active_camera(services.state.sources.index(active))
         QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
@@ -354,7 +357,7 @@ class TestSplit:
         canvas, split = audited.canvas, audited.canvas.comparison.split
         x = split.x
         hand.key(Qt.Key.Key_D)
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         assert split.shown
         canvas.set_scale(2.0)
         grip_before = split.grip.pos()
@@ -389,14 +392,115 @@ class TestSplit:
         )
 
 
+class TestDisagreementOfSources:
+    @pytest.fixture
+    def services(self, scored, qtbot) -> Services:
+        scored.camera_sources.compare_with(named(scored, "bad"))
+        scored.disagreement.set_enabled(True)
+        qtbot.waitUntil(lambda: scored.disagreement.value is not None)
+        return scored
+
+    @pytest.fixture
+    def panel(self, services, show) -> CamerasPanel:
+        return show(CamerasPanel(services))
+
+    def cameras(self, services: Services) -> tuple[object, object]:
+        return tuple(services.source_frames.of(named(services, n)).camera for n in ("true", "bad"))
+
+    def text(self, panel: CamerasPanel, name: str) -> str:
+        return panel.findChild(QLabel, name).text()
+
+    def test_figures_are_those_of_the_metric(self, panel, services, qtbot):
+        found = disagreement(
+            *self.cameras(services), services.state.field, services.state.setup.size
+        )
+        for unit, decimals in (("m", 2), ("px", 1)):
+            spread = found.statistics.metres if unit == "m" else found.statistics.pixels
+            for figure in ("minimum", "median", "maximum"):
+                shown = f"{getattr(spread, figure):.{decimals}f}"
+                name = f"disagreement_{figure}_{unit}"
+                qtbot.waitUntil(lambda n=name, s=shown: self.text(panel, n) == s)
+        share = f"{100 * found.share_within(0.5):.0f} % within 0.5 m"
+        assert self.text(panel, "disagreement_within").startswith(share)
+
+    def test_another_frame_or_source_is_worked_out_anew(self, panel, services, qtbot):
+        first = services.disagreement.value
+        services.navigator.next_frame()
+        assert services.disagreement.value is None  # never that of the frame before
+        qtbot.waitUntil(lambda: services.disagreement.value is not None)
+        second = services.disagreement.value
+        assert second.values.statistics != first.values.statistics
+        box = panel.findChild(QComboBox, "cameras_compared")
+        qtbot.waitUntil(lambda: box.count() == 2)
+        box.setCurrentIndex(1)
+        box.activated.emit(1)
+        qtbot.waitUntil(
+            lambda: (
+                services.disagreement.value is not None
+                and services.disagreement.value.names == ("true", "pinhole")
+            )
+        )
+
+    def test_what_was_asked_for_before_never_arrives_late(self, services, qtbot):
+        for index in (2, 3, 5, 4, 1):
+            services.navigator.go_to(index)
+        qtbot.waitUntil(lambda: services.disagreement.value is not None)
+        all_done(qtbot)
+        expected = disagreement(
+            *self.cameras(services), services.state.field, services.state.setup.size
+        )
+        assert services.disagreement.value.values.statistics == expected.statistics
+
+    def test_a_camera_missing_in_one_is_said(self, panel, services, qtbot):
+        services.navigator.go_to(3)
+        qtbot.waitUntil(lambda: self.text(panel, "disagreement_problem") != "")
+        assert self.text(panel, "disagreement_problem") == "bad: no camera for this frame."
+
+    def test_the_same_cameras_are_said_to_be(self, services, annotated, qtbot):
+        (annotated / "cameras" / "true").rename(annotated / "cameras" / "copy")
+        services.camera_sources.load_cameras(annotated / "cameras" / "copy")
+        services.camera_sources.compare_with(named(services, "true"))
+        qtbot.waitUntil(lambda: "the same" in services.disagreement.problem)
+        assert services.disagreement.value.values.statistics.metres.maximum < 1e-6
+
+    def test_a_source_of_projections_alone_has_no_ground(self, services, qtbot):
+        bad = named(services, "bad")
+        shown = SourceFrame(camera=ElementProjections({}), model="projections")
+        services.source_frames.put(bad.camera_set, services.state.frame.name, shown)
+        services.disagreement.invalidate()
+        assert "no ground to compare" in services.disagreement.problem
+        assert services.disagreement.problem.startswith("bad shares only")
+
+    def test_without_a_second_source_it_says_what_is_missing(self, services):
+        for _ in range(2):
+            services.camera_sources.remove_camera_set(1)
+        assert services.disagreement.problem.startswith("Two sources")
+
+    def test_without_a_judged_source_it_says_to_choose_one(self, services):
+        services.camera_sources.set_active_camera(-1)
+        problem = "No source is judged: choose one first."
+        assert services.disagreement.problem == problem
+        while len(services.state.sources) > 1:
+            services.camera_sources.remove_camera_set(0)
+        assert services.disagreement.problem.startswith("Two sources")
+
+    def test_without_any_source_there_is_no_choice(self, panel, services, qtbot):
+        comparing = panel.comparing
+        qtbot.waitUntil(comparing.isVisible)
+        while services.state.sources:
+            services.camera_sources.remove_camera_set(0)
+        qtbot.waitUntil(lambda: not comparing.isVisible())
+
+
 class TestDisagreement:
     @pytest.fixture
-    def plain(self, audited) -> np.ndarray:
+    def plain(self, audited, qtbot) -> np.ndarray:
         """The canvas without it; of a fixture, for pytest keeps what a test's object holds."""
         for source in audited.services.state.sources:
             audited.services.camera_sources.set_source_visible(source, False)
-        audited.services.camera_sources.compare_with(named(audited, "bad"))
+        audited.services.camera_sources.compare_with(named(audited.services, "bad"))
         audited.panels.show("cameras")
+        all_done(qtbot)
         return pixels(audited)
 
     @pytest.fixture(autouse=True)
@@ -405,25 +509,11 @@ class TestDisagreement:
         qtbot.waitUntil(lambda: audited.services.disagreement.value is not None)
 
     def cameras(self, window: MainWindow) -> tuple[object, object]:
-        frames = window.services.source_frames
-        return tuple(frames.of(named(window, n)).camera for n in ("true", "bad"))
+        services = window.services
+        return tuple(services.source_frames.of(named(services, n)).camera for n in ("true", "bad"))
 
     def text(self, window: MainWindow, name: str) -> str:
         return window.findChild(QLabel, name).text()
-
-    def test_figures_are_those_of_the_metric(self, audited, qtbot):
-        services = audited.services
-        found = disagreement(
-            *self.cameras(audited), services.state.field, services.state.setup.size
-        )
-        for unit, decimals in (("m", 2), ("px", 1)):
-            spread = found.statistics.metres if unit == "m" else found.statistics.pixels
-            for figure in ("minimum", "median", "maximum"):
-                shown = f"{getattr(spread, figure):.{decimals}f}"
-                name = f"disagreement_{figure}_{unit}"
-                qtbot.waitUntil(lambda n=name, s=shown: self.text(audited, n) == s)
-        share = f"{100 * found.share_within(0.5):.0f} % within 0.5 m"
-        assert self.text(audited, "disagreement_within").startswith(share)
 
     def test_the_status_line_says_it_of_the_cursor(self, audited, hand):
         for x, y in ((640.0, 500.0), (300.0, 640.0), (900.0, 420.0)):
@@ -458,12 +548,12 @@ class TestDisagreement:
         assert covered.pixelColor(seen) != bare.pixelColor(seen)
         assert covered.pixelColor(unseen) == bare.pixelColor(unseen)
 
-    def test_off_again_nothing_is_left(self, audited, plain):
+    def test_off_again_nothing_is_left(self, audited, plain, qtbot):
         assert audited.canvas.maps.legend.isVisible()
         assert audited.canvas.maps.legend.title == "true ↔ bad"
         audited.actions_["disagreement"].trigger()
         assert not audited.canvas.maps.legend.isVisible()
-        assert np.array_equal(pixels(audited), plain)
+        qtbot.waitUntil(lambda: np.array_equal(pixels(audited), plain))
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited, qtbot):
@@ -473,80 +563,6 @@ class TestDisagreement:
         qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
         audited.services.blind_lock.set_blind(False)
         qtbot.waitUntil(lambda: audited.services.disagreement.value is not None)
-
-    def test_another_frame_or_source_is_worked_out_anew(self, audited, qtbot):
-        services = audited.services
-        first = services.disagreement.value
-        services.navigator.next_frame()
-        assert services.disagreement.value is None  # never that of the frame before
-        qtbot.waitUntil(lambda: services.disagreement.value is not None)
-        second = services.disagreement.value
-        assert second.values.statistics != first.values.statistics
-        box = audited.findChild(QComboBox, "cameras_compared")
-        qtbot.waitUntil(lambda: box.count() == 2)
-        box.setCurrentIndex(1)
-        box.activated.emit(1)
-        qtbot.waitUntil(
-            lambda: (
-                services.disagreement.value is not None
-                and services.disagreement.value.names == ("true", "pinhole")
-            )
-        )
-
-    def test_what_was_asked_for_before_never_arrives_late(self, audited, qtbot):
-        services = audited.services
-        for index in (2, 3, 5, 4, 1):
-            services.navigator.go_to(index)
-        qtbot.waitUntil(lambda: services.disagreement.value is not None)
-        all_done(qtbot)
-        expected = disagreement(
-            *self.cameras(audited), services.state.field, services.state.setup.size
-        )
-        assert services.disagreement.value.values.statistics == expected.statistics
-
-    def test_a_camera_missing_in_one_is_said(self, audited, qtbot):
-        audited.services.navigator.go_to(3)
-        qtbot.waitUntil(lambda: self.text(audited, "disagreement_problem") != "")
-        assert self.text(audited, "disagreement_problem") == "bad: no camera for this frame."
-
-    def test_the_same_cameras_are_said_to_be(self, audited, annotated, qtbot):
-        services = audited.services
-        (annotated / "cameras" / "true").rename(annotated / "cameras" / "copy")
-        services.camera_sources.load_cameras(annotated / "cameras" / "copy")
-        services.camera_sources.compare_with(named(audited, "true"))
-        qtbot.waitUntil(lambda: "the same" in services.disagreement.problem)
-        assert services.disagreement.value.values.statistics.metres.maximum < 1e-6
-
-    def test_a_source_of_projections_alone_has_no_ground(self, audited, qtbot):
-        services = audited.services
-        bad = named(audited, "bad")
-        shown = SourceFrame(camera=ElementProjections({}), model="projections")
-        services.source_frames.put(bad.camera_set, services.state.frame.name, shown)
-        services.disagreement.invalidate()
-        assert "no ground to compare" in services.disagreement.problem
-        assert services.disagreement.problem.startswith("bad shares only")
-
-    def test_without_a_second_source_it_says_what_is_missing(self, audited):
-        for _ in range(2):
-            audited.services.camera_sources.remove_camera_set(1)
-        assert audited.services.disagreement.problem.startswith("Two sources")
-        legend = audited.canvas.maps.legend
-        assert (legend.title, legend.problem) == ("", audited.services.disagreement.problem)
-
-    def test_without_a_judged_source_it_says_to_choose_one(self, audited):
-        audited.services.camera_sources.set_active_camera(-1)
-        problem = "No source is judged: choose one first."
-        assert audited.services.disagreement.problem == problem
-        while len(audited.services.state.sources) > 1:
-            audited.services.camera_sources.remove_camera_set(0)
-        assert audited.services.disagreement.problem.startswith("Two sources")
-
-    def test_without_any_source_there_is_no_choice(self, audited, qtbot):
-        comparing = audited.cameras.comparing
-        qtbot.waitUntil(comparing.isVisible)
-        while audited.services.state.sources:
-            audited.services.camera_sources.remove_camera_set(0)
-        qtbot.waitUntil(lambda: not comparing.isVisible())
 
     def test_the_legend_says_the_unit_whatever_the_names(self, audited, qtbot, monkeypatch):
         painted: list[str] = []

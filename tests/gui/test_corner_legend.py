@@ -1,14 +1,11 @@
 """The legend in the picture's corner: of what is there, out of the hand's way, switched off."""
 
-from PySide6.QtWidgets import QApplication
-
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import SWITCHES, Settings
 from tests.gui.conftest import Hand, until_kept
 
 
 def texts(window: MainWindow) -> list[str]:
-    QApplication.processEvents()
     return [entry.text for entry in window.canvas.legend.entries]
 
 
@@ -21,25 +18,25 @@ def test_it_explains_what_is_there(begun, qtbot):
     room = begun.canvas.viewport().rect()
     assert room.contains(legend.geometry())
     begun.actions_["ghosts"].trigger()
-    assert texts(begun) == ["annotated, in its class's colour"]
+    qtbot.waitUntil(lambda: texts(begun) == ["annotated, in its class's colour"])
     begun.actions_["hide_overlays"].trigger()
+    qtbot.waitUntil(lambda: not legend.isVisible())
     assert texts(begun) == []
-    assert not legend.isVisible()
 
 
 def test_verdicts_and_sources_are_named(audited, qtbot):
     audited.services.camera_sources.set_active_camera(1)
-    assert texts(audited)[:2] == ["passes", "too far"]
-    assert {"projection", "true"} <= set(texts(audited))
+    qtbot.waitUntil(lambda: texts(audited)[:2] == ["passes", "too far"])
+    qtbot.waitUntil(lambda: {"projection", "true"} <= set(texts(audited)))
     audited.actions_["others"].trigger()
-    assert "true" not in texts(audited)
+    qtbot.waitUntil(lambda: "true" not in texts(audited))
     audited.actions_["colour_origin"].trigger()
-    assert texts(audited)[0] == "from the file"
+    qtbot.waitUntil(lambda: texts(audited)[0] == "from the file")
 
 
-def test_it_gives_way_to_the_hand(begun):
+def test_it_gives_way_to_the_hand(begun, qtbot):
     legend, canvas = begun.canvas.legend, begun.canvas
-    texts(begun)
+    qtbot.waitUntil(lambda: "ghost: expected here" in texts(begun))
     hand = Hand(begun)
     assert legend.isVisible()
     at = canvas.to_picture(legend.geometry().center().toPointF())
@@ -50,7 +47,6 @@ def test_it_gives_way_to_the_hand(begun):
 
 
 def test_it_can_be_switched_off_for_good(begun):
-    texts(begun)
     begun.actions_["legend"].trigger()
     assert not begun.canvas.legend.isVisible()
     until_kept()

@@ -57,7 +57,7 @@ def strips(window: MainWindow) -> set[str]:
 
 def test_strips_are_drawn_once_they_are_asked_for(annotated, qtbot):
     services = annotated.services
-    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None)
     assert strips(annotated) == set()
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: tones.PASSES in strips(annotated))
@@ -74,12 +74,12 @@ def test_strips_are_drawn_once_they_are_asked_for(annotated, qtbot):
 def test_blind_mode_may_see_it(annotated, qtbot):
     annotated.services.blind_lock.set_blind(True)
     annotated.actions_["evidence"].trigger()
-    qtbot.waitUntil(lambda: tones.PASSES in strips(annotated), timeout=20_000)
+    qtbot.waitUntil(lambda: tones.PASSES in strips(annotated))
 
 
 def test_only_what_changed_is_looked_at_again(annotated, hand_on, qtbot, monkeypatch):
     services, looked_at = annotated.services, []
-    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None)
     really = evidence_module._along
 
     def along(polyline: Polyline, *rest, **more):
@@ -90,26 +90,26 @@ def test_only_what_changed_is_looked_at_again(annotated, hand_on, qtbot, monkeyp
     name = services.state.annotation.polylines[0].class_name
     services.selection.select_point(name, 0)
     hand_on(annotated).key(Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None)
     assert looked_at == [name]
 
 
 def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(bent, hand_on, qtbot):
     services, hand = bent.services, hand_on(bent)
     told = heard(services)
-    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None)
     hand.draw("Side line top", (102, 300), (858, 300))
 
     def found() -> list[Rule]:
         return [f.finding.rule for f in services.label_check.shown]
 
-    qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found(), timeout=20_000)
+    qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found())
     assert any("(R)" in text and "5 px" in text for text in told)
     assert BENT in {notice.key for notice in services.state.notices}
     services.selection.select_class("Side line top")
     hand.key(Qt.Key.Key_R)
     qtbot.waitUntil(lambda: len(services.state.annotation.get("Side line top").points) > 2)
-    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None)
     assert Rule.BESIDE_PAINT not in found()
     qtbot.waitUntil(lambda: BENT not in {notice.key for notice in services.state.notices})
 
@@ -117,7 +117,7 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(bent, hand_o
 def test_the_remedy_puts_its_points_along_the_paint(bent, hand_on, qtbot):
     """One key, or the button of the list, whatever else is chosen; and one step of undo."""
     services, hand = bent.services, hand_on(bent)
-    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None)
     hand.draw("Side line top", (102, 300), (858, 300))
     two = services.state.annotation
 
@@ -125,7 +125,7 @@ def test_the_remedy_puts_its_points_along_the_paint(bent, hand_on, qtbot):
         every = services.label_check.shown
         return [f for f in every if f.finding.rule is Rule.BESIDE_PAINT]
 
-    qtbot.waitUntil(lambda: bool(found()), timeout=20_000)
+    qtbot.waitUntil(lambda: bool(found()))
     services.selection.select_class("Side line bottom")
     remedy = found()[0].finding.remedies[0]
     bent.label_check.apply(found()[0], remedy)
@@ -138,6 +138,6 @@ def test_the_remedy_puts_its_points_along_the_paint(bent, hand_on, qtbot):
 def test_a_line_clicked_where_there_is_none_is_no_bent_one(bent, hand_on, qtbot):
     services, hand = bent.services, hand_on(bent)
     hand.draw("Side line top", (102, 400), (858, 420))
-    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
-    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None)
+    qtbot.waitUntil(lambda: services.label_check.checked is not None)
     assert Rule.BESIDE_PAINT not in [f.finding.rule for f in services.label_check.shown]

@@ -16,7 +16,8 @@ from procc_annotator.dataset.database.connection import FILE
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.dataset.records import Origin, PointKey
-from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.commands.exporting import ExportAs
+from procc_annotator.gui.commands.importing import AnnotationImporter
 from procc_annotator.gui.state.editing import batch_edits
 from procc_annotator.gui.state.editing.batch_edits import merged
 from tests.gui.conftest import all_done, until_kept
@@ -42,10 +43,22 @@ def foreign(tmp_path) -> Path:
     return folder
 
 
-def run_import(window: MainWindow, qtbot: QtBot, path: Path, *, replace: bool = False) -> str:
+@pytest.fixture
+def importer(services, widget) -> AnnotationImporter:
+    widget.show()
+    return AnnotationImporter(services, widget)
+
+
+@pytest.fixture
+def export(services, widget) -> ExportAs:
+    return ExportAs(services, widget)
+
+
+def run_import(
+    importer: AnnotationImporter, qtbot: QtBot, path: Path, *, replace: bool = False
+) -> str:
     """Import as the dialog does; what it says in the end."""
-    window.actions_["import_annotations"].trigger()
-    importer = window.importer
+    importer.ask()
     dialog = importer.dialog
     dialog.path.setText(str(path))
     dialog.replace.setChecked(replace)
@@ -57,13 +70,14 @@ def run_import(window: MainWindow, qtbot: QtBot, path: Path, *, replace: bool = 
 
 
 def on_disk(dataset: Path, name: str) -> dict[str, list[dict[str, float]]]:
-    until_kept()
     path = dataset / f"{name}.json"
     return json.loads(path.read_text()) if path.exists() else {}
 
 
-def test_frames_are_matched_by_name_and_the_rest_is_told(window, qtbot, dataset, foreign):
-    said = run_import(window, qtbot, foreign)
+def test_frames_are_matched_by_name_and_the_rest_is_told(
+    importer, services, qtbot, dataset, foreign
+):
+    said = run_import(importer, qtbot, foreign)
     assert "2 of 2 frames imported (labelme JSON)." in said
     assert "elsewhere" in said
     assert "frame_2.json: shapes[0]" in said
@@ -72,40 +86,42 @@ def test_frames_are_matched_by_name_and_the_rest_is_told(window, qtbot, dataset,
     }
     assert on_disk(dataset, "frame_1")[LINE][0]["x"] == 200 / 639
     assert not (dataset / "frame_2.json").exists()
-    assert window.services.state.annotation.annotated == (LINE,)  # the frame on screen shows it
-    assert window.frames.model.info(1).count == 1
+    assert services.state.annotation.annotated == (LINE,)  # the frame on screen shows it
+    assert services.state.workspace.read(1).annotated
 
 
-def test_what_is_annotated_stays_unless_asked(window, qtbot, dataset, foreign):
+def test_what_is_annotated_stays_unless_asked(importer, services, qtbot, dataset, foreign):
     mine = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.1), Point(0.9, 0.1))),))
-    window.services.editing.commit_edit("draw", mine)
-    said = run_import(window, qtbot, foreign)
+    services.editing.commit_edit("draw", mine)
+    said = run_import(importer, qtbot, foreign)
     assert "1 of 2 frames imported" in said
     assert "1 frame is annotated already" in said
     assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
-    said = run_import(window, qtbot, foreign, replace=True)
+    said = run_import(importer, qtbot, foreign, replace=True)
     assert "1 of 2 frames imported" in said
     assert "1 frame holds the same already" in said
     assert list(on_disk(dataset, "frame_0")) == [LINE]
-    database = window.services.review.database
+    database = services.review.database
     database.flush(5.0)
     kept = [database.version_data(v.id) for v in database.versions("frame_0")]
     assert any(b"Side line top" in data for data in kept)
-    window.services.editing.undo()
+    services.editing.undo()
+    services.saver.settle()
     assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
 
 
-def test_other_frames_keep_their_history_too(window, qtbot, dataset, foreign):
-    run_import(window, qtbot, foreign)
-    window.services.navigator.go_to(1)
-    window.services.editing.undo()
+def test_other_frames_keep_their_history_too(importer, services, qtbot, dataset, foreign):
+    run_import(importer, qtbot, foreign)
+    services.navigator.go_to(1)
+    services.editing.undo()
+    services.saver.settle()
     assert on_disk(dataset, "frame_1") == {}
 
 
-def test_a_frame_somebody_else_edits_is_left_alone(window, qtbot, dataset, foreign):
+def test_a_frame_somebody_else_edits_is_left_alone(importer, services, qtbot, dataset, foreign):
     other = FrameLocks(locks_folder(dataset), "Ada")
     assert other.acquire("frame_1") is None
-    said = run_import(window, qtbot, foreign)
+    said = run_import(importer, qtbot, foreign)
     assert "1 of 2 frames imported" in said
     assert "frame_1: Ada is editing it" in said
     assert not (dataset / "frame_1.json").exists()
@@ -131,12 +147,11 @@ def versions_on_disk(dataset: Path) -> dict[str, set[bytes]]:
 
 
 def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
-    make_window, qtbot, annotated, foreign, monkeypatch
+    annotated, services, importer, qtbot, foreign, monkeypatch
 ):
     """A kill at any moment finds every file whole and everything replaced among the versions."""
     before = {p.stem: p.read_bytes() for p in annotated.glob("*.json")}
-    window = make_window(annotated)
-    window.services.navigator.go_to(2)  # no frame that is replaced is on screen
+    services.navigator.go_to(2)  # no frame that is replaced is on screen
     written, threads = [], set()
     write = saving.write_atomic
 
@@ -148,7 +163,7 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
         write(path, data, **more)
 
     monkeypatch.setattr(saving, "write_atomic", watched)
-    said = run_import(window, qtbot, foreign, replace=True)
+    said = run_import(importer, qtbot, foreign, replace=True)
     assert "2 of 2 frames imported" in said
     assert sorted(written) == ["frame_0", "frame_1"]
     assert threading.main_thread() not in threads
@@ -156,11 +171,10 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
 
 
 def test_the_database_is_not_asked_about_every_frame(
-    make_window, qtbot, annotated, foreign, monkeypatch
+    annotated, services, importer, qtbot, foreign, monkeypatch
 ):
     """Each answer would wait for all that is queued before it."""
-    window = make_window(annotated)
-    window.services.navigator.go_to(2)
+    services.navigator.go_to(2)
     asked: list[str] = []
     origins = WorkspaceDatabase.origins
 
@@ -169,20 +183,19 @@ def test_the_database_is_not_asked_about_every_frame(
         return origins(self, frame)
 
     monkeypatch.setattr(WorkspaceDatabase, "origins", watched)
-    assert "2 of 2" in run_import(window, qtbot, foreign, replace=True)
+    assert "2 of 2" in run_import(importer, qtbot, foreign, replace=True)
     assert not {"frame_0", "frame_1"} & set(asked)
-    window.services.navigator.go_to(0)
-    assert set(window.services.review.origins("frame_0")) == {
+    services.navigator.go_to(0)
+    assert set(services.review.origins("frame_0")) == {
         (100 / 639, 10 / 359),
         (100 / 639, 300 / 359),
     }
 
 
 def test_a_file_that_changes_just_before_it_is_written_is_kept(
-    make_window, qtbot, annotated, foreign, monkeypatch
+    annotated, services, importer, qtbot, foreign, monkeypatch
 ):
-    window = make_window(annotated)
-    window.services.navigator.go_to(2)
+    services.navigator.go_to(2)
     flush = WorkspaceDatabase.flush
 
     def changed(self: WorkspaceDatabase, timeout: float = 2.0) -> bool:
@@ -190,18 +203,18 @@ def test_a_file_that_changes_just_before_it_is_written_is_kept(
         return flush(self, timeout)
 
     monkeypatch.setattr(WorkspaceDatabase, "flush", changed)
-    said = run_import(window, qtbot, foreign, replace=True)
+    said = run_import(importer, qtbot, foreign, replace=True)
     assert "1 of 2 frames imported" in said
     assert "frame_1: it could not be saved" in said
     assert list(on_disk(annotated, "frame_1")) == ["Circle left"]
-    assert window.services.saver.conflict(1) is not None  # waits for a decision
+    assert services.saver.conflict(1) is not None  # waits for a decision
 
 
 def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
-    window, qtbot, dataset, foreign, monkeypatch
+    importer, services, qtbot, dataset, foreign, monkeypatch
 ):
     monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
-    window.services.navigator.go_to(2)
+    services.navigator.go_to(2)
     write = workspace.write_saves
 
     def broken(saves: list[saving.PendingSave]) -> None:
@@ -210,14 +223,14 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
 
     with monkeypatch.context() as breaking:
         breaking.setattr(workspace, "write_saves", broken)
-        said = run_import(window, qtbot, foreign)
+        said = run_import(importer, qtbot, foreign)
     assert "0 of 2 frames imported" in said
     assert "frame_0: it could not be saved" in said
     assert "no more" in said
-    assert window.isWindowModified()
-    assert window.services.editing.save_now()  # what was written after all is no conflict
+    assert services.state.unsaved
+    assert services.editing.save_now()  # what was written after all is no conflict
     assert {LINE} == set(on_disk(dataset, "frame_0")) == set(on_disk(dataset, "frame_1"))
-    assert not window.isWindowModified()
+    assert not services.state.unsaved
 
 
 def test_closing_the_window_ends_an_import_with_everything_saved(
@@ -234,6 +247,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     with qtbot.waitSignal(saver.saved):
         pass
     window.close()
+    until_kept()
     held = [list(on_disk(annotated, f"frame_{i}")) for i in range(3)]
     all_done(qtbot)
     assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
@@ -242,18 +256,18 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     assert not list(locks_folder(annotated).glob("*.lock"))
 
 
-def test_damaged_files_of_the_dataset_are_not_replaced(make_window, qtbot, dataset, foreign):
+def test_damaged_files_of_the_dataset_are_not_replaced(importer, services, qtbot, dataset, foreign):
     (dataset / "frame_1.json").write_text("{")
-    window = make_window(dataset)
-    said = run_import(window, qtbot, foreign, replace=True)
+    assert services.opening.open_path(dataset)
+    said = run_import(importer, qtbot, foreign, replace=True)
     assert "frame_1: " in said
     assert (dataset / "frame_1.json").read_text() == "{"
 
 
-def test_nothing_to_read_is_said_in_the_dialog(window, qtbot, tmp_path):
+def test_nothing_to_read_is_said_in_the_dialog(importer, services, qtbot, tmp_path):
     empty = tmp_path / "empty"
     empty.mkdir()
-    assert "nothing to do: no annotation" in run_import(window, qtbot, empty)
+    assert "nothing to do: no annotation" in run_import(importer, qtbot, empty)
 
 
 def test_merging_keeps_what_has_no_other_place():
@@ -269,8 +283,7 @@ def test_merging_keeps_what_has_no_other_place():
     assert [p.class_name for p in after.unconfirmed] == ["Side line left"]
 
 
-def test_export_says_what_the_format_cannot_hold(window, qtbot, tmp_path):
-    services = window.services
+def test_export_says_what_the_format_cannot_hold(export, services, qtbot, tmp_path):
     services.editing.commit_edit(
         "draw",
         FrameAnnotation(
@@ -279,13 +292,12 @@ def test_export_says_what_the_format_cannot_hold(window, qtbot, tmp_path):
             (Polyline("Circle left", (Point(0.1, 0.1),)),),
         ),
     )
-    window.actions_["export_as"].trigger()
-    task = window.export_as
-    dialog = task.dialog
+    export.ask()
+    dialog = export.dialog
     names = [dialog.formats.itemText(i) for i in range(dialog.formats.count())]
     dialog.formats.setCurrentIndex(names.index("segmentation masks (PNG)"))
     assert dialog.line_width.isVisibleTo(dialog)
-    task.start(tmp_path / "masks")
+    export.start(tmp_path / "masks")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     said = dialog.report.toPlainText()
     assert "1 frame, 1 element and 2 points written" in said
@@ -294,31 +306,32 @@ def test_export_says_what_the_format_cannot_hold(window, qtbot, tmp_path):
     assert sorted(p.name for p in (tmp_path / "masks").iterdir()) == ["classes.json", "frame_0.png"]
     dialog.report.clear()
     (tmp_path / "masks" / "frame_0.png").write_bytes(b"of somebody else")
-    task.start(tmp_path / "masks")
+    export.start(tmp_path / "masks")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     assert "exists already" in dialog.report.toPlainText()
     dialog.close_button.click()
 
 
-def test_exported_and_imported_again_is_the_same(window, qtbot, dataset, tmp_path):
+def test_exported_and_imported_again_is_the_same(
+    export, importer, services, qtbot, dataset, tmp_path
+):
     line = Polyline(LINE, (Point(1 / 3, 0.1), Point(0.7234567890123, 0.9)))
-    window.services.editing.commit_edit("draw", FrameAnnotation((line,)))
-    window.export_as.ask()
-    dialog = window.export_as.dialog
+    services.editing.commit_edit("draw", FrameAnnotation((line,)))
+    export.ask()
+    dialog = export.dialog
     dialog.formats.setCurrentIndex(4)
     assert dialog.format.name == "cvat"
-    window.export_as.start(tmp_path / "task.zip")
+    export.start(tmp_path / "task.zip")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     dialog.close_button.click()
     before = on_disk(dataset, "frame_0")
-    said = run_import(window, qtbot, tmp_path / "task.zip", replace=True)
+    said = run_import(importer, qtbot, tmp_path / "task.zip", replace=True)
     assert "1 frame holds the same already" in said
     assert on_disk(dataset, "frame_0") == before
 
 
-def test_cancelling_leaves_everything_as_it_was(window, qtbot, dataset, foreign):
-    window.importer.ask()
-    importer = window.importer
+def test_cancelling_leaves_everything_as_it_was(importer, services, qtbot, dataset, foreign):
+    importer.ask()
     dialog = importer.dialog
     dialog.path.setText(str(foreign))
     importer.start(foreign)
@@ -331,9 +344,9 @@ def test_cancelling_leaves_everything_as_it_was(window, qtbot, dataset, foreign)
     assert not dialog.isVisible()
 
 
-def test_the_words_about_every_format_have_room(window, qtbot):
-    window.actions_["export_as"].trigger()
-    dialog = window.export_as.dialog
+def test_the_words_about_every_format_have_room(export, services, qtbot):
+    export.ask()
+    dialog = export.dialog
     for width in (dialog.width(), 900, dialog.minimumWidth()):
         dialog.resize(width, dialog.height())
         for row in range(dialog.formats.count()):
@@ -347,7 +360,7 @@ def test_the_words_about_every_format_have_room(window, qtbot):
 
 
 def test_annotations_of_another_program_in_the_dataset_are_imported_apart(
-    make_window, qtbot, tmp_path, striped
+    importer, services, qtbot, tmp_path, striped
 ):
     """labelme's files lie where this program's would: both stay apart."""
     folder = tmp_path / "labelme_set"
@@ -355,10 +368,10 @@ def test_annotations_of_another_program_in_the_dataset_are_imported_apart(
     for name, picture in zip(("a", "b"), striped, strict=False):
         (folder / f"{name}.png").write_bytes(picture)
         (folder / f"{name}.json").write_text(labelme(name, 100))
-    window = make_window(folder)
-    assert not window.frame_bar.isVisible()  # the frame can be edited
-    window.importer.ask()
-    dialog = window.importer.dialog
+    assert services.opening.open_path(folder)
+    assert services.state.editable  # the frame can be edited
+    importer.ask()
+    dialog = importer.dialog
     dialog.path.setText(str(folder))
     dialog.start_button.click()
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())

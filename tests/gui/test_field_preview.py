@@ -11,7 +11,7 @@ from procc_annotator.cli.main import app
 from procc_annotator.field.load import load_field
 from procc_annotator.gui import field_preview
 from procc_annotator.gui.field_preview import FieldPreview
-from tests.gui.test_field_choice import YARD
+from tests.gui.state.test_field_choice import YARD
 
 
 @pytest.fixture
@@ -37,7 +37,7 @@ def listed(window: FieldPreview) -> set[str]:
 def test_a_shipped_field_is_shown_with_its_dimensions(preview, qtbot):
     window = preview("soccer", length=100.0)
     field = load_field("soccer", length=100.0)
-    qtbot.waitUntil(lambda: window.services.state.field == field, timeout=20_000)
+    qtbot.waitUntil(lambda: window.services.state.field == field)
     assert window.windowTitle().startswith("Soccer")
     assert "Length: 100 m (the rules allow 90 to 120 m)" in window.facts.text()
     assert window.map.position_of("Penalty mark left") is not None
@@ -48,20 +48,20 @@ def test_a_file_is_followed_while_it_is_written(preview, qtbot, tmp_path):
     path = tmp_path / "yard.toml"
     path.write_text("name = ")
     window = preview(path)
-    qtbot.waitUntil(lambda: not window.problem_bar.isHidden(), timeout=20_000)
+    qtbot.waitUntil(lambda: not window.problem_bar.isHidden())
     assert str(path) in window.problem_bar.label.text()
     assert window.pages.currentIndex() == 0  # no other field in its place
     path.write_text(YARD)
-    qtbot.waitUntil(lambda: window.pages.currentIndex() == 1, timeout=20_000)
+    qtbot.waitUntil(lambda: window.pages.currentIndex() == 1)
     assert window.problem_bar.isHidden()
     qtbot.waitUntil(lambda: listed(window) == {"fence", "gate"})
     assert "Next frame" in window.remarks.text()  # what the key of the gate means already
     path.write_text(YARD.replace('kind = "line"', 'kind = "lime"', 1))
-    qtbot.waitUntil(lambda: not window.problem_bar.isHidden(), timeout=20_000)
+    qtbot.waitUntil(lambda: not window.problem_bar.isHidden())
     assert "element 'fence'.kind" in window.problem_bar.label.text()
     assert listed(window) == {"fence", "gate"}
     path.write_text(YARD.replace('name = "gate"', 'name = "door"'))
-    qtbot.waitUntil(lambda: listed(window) == {"fence", "door"}, timeout=20_000)
+    qtbot.waitUntil(lambda: listed(window) == {"fence", "door"})
     assert window.map.position_of("door") is not None
 
 

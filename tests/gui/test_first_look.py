@@ -190,6 +190,6 @@ def test_what_the_picture_shows_of_paint_is_told_once_the_whole_one_is_there(win
     (large / "5.json").write_text(json.dumps({"Middle line": points}))
     services.navigator.go_to(5)
     assert services.state.half is not None
-    qtbot.waitUntil(lambda: services.line_pixels.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_pixels.value is not None)
     (seen,) = services.line_pixels.value.values()
     assert (seen.paint == LinePresence.UNDER).mean() > 0.9

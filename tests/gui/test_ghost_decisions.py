@@ -59,7 +59,7 @@ def names(window: MainWindow) -> list[str]:
 def find(window: MainWindow, qtbot: QtBot) -> None:
     """Wait for the points of the current ghost."""
     ghosts = window.services.ghosts
-    qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None)
 
 
 @pytest.mark.usefixtures("patient")
@@ -160,7 +160,7 @@ def test_chosen_in_the_list_and_accepted_with_all_others(begun, hand, qtbot):
     name = names(begun)[0]
     services.selection.select_class(name)
     hand.key(Key.Key_Return, SHIFT)
-    qtbot.waitUntil(lambda: services.state.annotation.get(name) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.state.annotation.get(name) is not None)
     assert services.state.selected_class is None
 
 

@@ -3,7 +3,6 @@
 import json
 import sys
 import threading
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -53,7 +52,7 @@ def go(window: MainWindow, hand: Hand, qtbot: QtBot) -> str:
     """Tab, and wait until the points of the ghost are there."""
     hand.key(Key.Key_Tab)
     ghosts = window.services.ghosts
-    qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None)
     name = current(window)
     assert name is not None
     return name
@@ -204,9 +203,7 @@ class TestAccept:
         name = current(begun)
         hand.key(Key.Key_Return)
         assert begun.services.state.annotation.get(name) is None
-        qtbot.waitUntil(
-            lambda: begun.services.state.annotation.get(name) is not None, timeout=20_000
-        )
+        qtbot.waitUntil(lambda: begun.services.state.annotation.get(name) is not None)
 
     def test_an_edit_in_between_drops_it(self, begun, hand, qtbot, told):
         services = begun.services
@@ -215,7 +212,7 @@ class TestAccept:
         hand.key(Key.Key_Return)
         services.editing.commit_edit("shorten", delete_point(services.state.annotation, KEPT[3], 0))
         wait_for_ghosts(begun, qtbot)
-        qtbot.waitUntil(lambda: services.ghosts.found(name) is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: services.ghosts.found(name) is not None)
         assert services.state.annotation.get(name) is None
         assert any("not accepted: the frame was edited meanwhile" in text for text in told)
 
@@ -234,7 +231,7 @@ class TestAccept:
     def test_all_with_enough_of_their_line_in_one_step(self, begun, hand, qtbot, told):
         services, known = begun.services, names(begun)
         hand.key(Key.Key_Return, SHIFT)
-        qtbot.waitUntil(lambda: services.state.annotation.annotated != KEPT, timeout=20_000)
+        qtbot.waitUntil(lambda: services.state.annotation.annotated != KEPT)
         accepted = services.state.annotation.annotated[len(KEPT) :]
         left = set(known) - set(accepted)
         assert len(accepted) >= 4
@@ -249,11 +246,11 @@ class TestAccept:
     def test_one_key_accepts_all_and_goes_on(self, begun, hand, qtbot):
         services, here = begun.services, begun.services.state.frame_index
         hand.key(Key.Key_Return, ALT)
-        qtbot.waitUntil(lambda: services.state.frame_index == here + 1, timeout=20_000)
+        qtbot.waitUntil(lambda: services.state.frame_index == here + 1)
         let_work_end(qtbot)
         assert services.state.frame_index == here + 1
         services.navigator.go_to(here)
-        qtbot.waitUntil(lambda: services.state.frame_index == here, timeout=20_000)
+        qtbot.waitUntil(lambda: services.state.frame_index == here)
         assert len(services.state.annotation.annotated) >= len(KEPT) + 4
 
     def test_where_nothing_can_be_accepted_it_goes_on_all_the_same(self, begun, hand, qtbot):
@@ -261,9 +258,9 @@ class TestAccept:
         services, here = begun.services, begun.services.state.frame_index
         services.store.update(picture=np.full_like(services.navigator.picture, 90))
         hand.key(Key.Key_Return, ALT)
-        qtbot.waitUntil(lambda: services.state.frame_index == here + 1, timeout=20_000)
+        qtbot.waitUntil(lambda: services.state.frame_index == here + 1)
         services.navigator.go_to(here)
-        qtbot.waitUntil(lambda: services.state.frame_index == here, timeout=20_000)
+        qtbot.waitUntil(lambda: services.state.frame_index == here)
         assert services.state.annotation.annotated == KEPT
 
     def test_the_share_asked_for_is_kept(self, begun, hand, qtbot, told, monkeypatch):
@@ -273,7 +270,7 @@ class TestAccept:
         picture = np.full_like(begun.services.navigator.picture, 90)
         begun.services.store.update(picture=picture)
         hand.key(Key.Key_Return, SHIFT)
-        qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy, timeout=20_000)
+        qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy)
         assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]
         assert begun.services.state.annotation.annotated == KEPT
 
@@ -313,7 +310,7 @@ class TestAccept:
         services.live_fit.set_model("P")
         assert "is not accepted: the camera is another one meanwhile" in told[-1]
         wait_for_ghosts(begun, qtbot)
-        qtbot.waitUntil(lambda: services.ghosts.found(name) is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: services.ghosts.found(name) is not None)
         assert services.state.annotation.annotated == KEPT
 
     def test_all_from_the_menu_while_drawing_finishes_that_first(self, begun, hand, qtbot, told):
@@ -337,14 +334,14 @@ class TestNotVisible:
         name, following = names(begun)[:2]
         hand.key(Key.Key_Period)
         assert name not in [ghost.name for ghost in services.ghosts.painted]
-        qtbot.waitUntil(lambda: current(begun) == following, timeout=20_000)
+        qtbot.waitUntil(lambda: current(begun) == following)
         assert name not in [ghost.name for ghost in services.live_fit.insight.ghosts]
         services.navigator.go_to(2)
         services.navigator.go_to(1)
         wait_for_ghosts(begun, qtbot)
         assert name not in names(begun)
         hand.key(Key.Key_Period, CTRL)
-        qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
+        qtbot.waitUntil(lambda: name in names(begun))
 
     def test_the_same_key_on_the_chosen_element_takes_it_back(self, begun, hand, qtbot):
         services, name = begun.services, names(begun)[0]
@@ -352,7 +349,7 @@ class TestNotVisible:
         for hidden in (True, False):
             hand.key(Key.Key_Period)
             assert (name in services.review.not_visible(services.state.frame.name)) is hidden
-        qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
+        qtbot.waitUntil(lambda: name in names(begun))
 
     def test_an_annotated_element_is_visible(self, begun, hand, told):
         begun.services.selection.select_class(KEPT[0])
@@ -380,9 +377,7 @@ class TestNotVisible:
         accept = next(a for a in self.menu(begun).actions() if a.text() == "Accept")
         place = begun.canvas.place
         accept.trigger()
-        qtbot.waitUntil(
-            lambda: begun.services.state.annotation.get("Side line top") is not None, timeout=20_000
-        )
+        qtbot.waitUntil(lambda: begun.services.state.annotation.get("Side line top") is not None)
         assert begun.canvas.place == place
 
     @staticmethod
@@ -471,7 +466,7 @@ def test_nothing_is_looked_for_twice(begun, hand, qtbot, monkeypatch):
     monkeypatch.setattr(ghosts_module, "find_points", find)
     go(begun, hand, qtbot)
     first, second = names(begun)[:2]
-    qtbot.waitUntil(lambda: begun.services.ghosts.found(second) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: begun.services.ghosts.found(second) is not None)
     hand.key(Key.Key_Tab)
     assert current(begun) == second
     assert begun.services.ghosts.found(second) is not None
@@ -501,16 +496,14 @@ class TestState:
     """The ghosts of the state, without a hand."""
 
     @pytest.fixture
-    def services(self, annotated, qtbot) -> Iterator[Services]:
+    def services(self, open_services, annotated, qtbot) -> Services:
         path = annotated / "00002.json"
         entries = json.loads(path.read_text())
         path.write_text(json.dumps({name: entries[name] for name in KEPT}))
-        services = Services()
-        services.opening.open_path(annotated)
+        services = open_services(annotated)
         services.navigator.go_to(1)
-        qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
-        yield services
-        services.close()
+        qtbot.waitUntil(lambda: services.live_fit.insight is not None)
+        return services
 
     def test_a_walk(self, services):
         ghosts = services.ghosts
@@ -535,11 +528,11 @@ class TestState:
         ghosts.go_to(last)
         services.review.set_not_visible(services.state.frame.name, last, True)
         assert ghosts.current is None
-        qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: ghosts.current is not None)
         assert ghosts.current.name == first
         for name in [ghost.name for ghost in ghosts.known]:
             services.review.set_not_visible(services.state.frame.name, name, True)
-        qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
+        qtbot.waitUntil(lambda: not ghosts.walking)
         assert ends == [True]
 
     def test_another_frame_ends_the_walk(self, services):
@@ -561,18 +554,18 @@ class TestState:
             services.review.poll()
             return name not in [ghost.name for ghost in services.ghosts.painted]
 
-        qtbot.waitUntil(gone, timeout=20_000)
+        qtbot.waitUntil(gone)
         assert settings == ["length"]
         assert services.review.setting("length") == "104.3"
 
     def test_what_was_found_goes_with_its_insight(self, services, qtbot):
         ghosts = services.ghosts
         name = ghosts.step(1).name
-        qtbot.waitUntil(lambda: ghosts.found(name) is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: ghosts.found(name) is not None)
         services.editing.commit_edit("shorten", delete_point(services.state.annotation, KEPT[3], 0))
         assert ghosts.found(name) is None
         assert ghosts.walking  # and goes on where it was
-        qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: ghosts.current is not None)
         assert ghosts.current.name == name
 
 

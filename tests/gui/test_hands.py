@@ -345,9 +345,7 @@ class TestRegularise:
         (tmp_path / "bra_mex.json").write_bytes(write_annotation(annotation))
         window = make_window(tmp_path)
         hand, said = hand_on(window), window.services.store.events.message
-        with qtbot.waitSignal(
-            said, check_params_cb=lambda m: "regularised" in m.text, timeout=60_000
-        ):
+        with qtbot.waitSignal(said, check_params_cb=lambda m: "regularised" in m.text):
             hand.key(Qt.Key.Key_R, SHIFT)
         once = window.services.state.annotation
         assert once != annotation
@@ -379,7 +377,7 @@ class TestCopying:
         clicks.draw(MIDDLE, (480, 130), (480, 530))
         clicks.draw(TOP, (5, 120), (955, 120))
         window.services.navigator.next_frame()
-        with qtbot.waitSignal(window.services.store.events.annotationEdited, timeout=10_000):
+        with qtbot.waitSignal(window.services.store.events.annotationEdited):
             clicks.key(Qt.Key.Key_V)
 
     def test_copies_move_with_the_camera_and_count_for_nothing(

@@ -77,7 +77,7 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
         raise OSError(28, "No space left on device")
 
     hand.draw(MIDDLE, *ENDS)
-    settle(window, qtbot)
+    settle(window.services, qtbot)
     with monkeypatch.context() as broken:
         broken.setattr("procc_annotator.formats.atomic.os.open", full)
         window.services.editing.undo()
@@ -150,7 +150,7 @@ class TestDamage:
         assert list(json.loads((dataset / "frame_0.json").read_text())) == [MIDDLE]
         kept = [database.version_data(v.id) for v in database.versions("frame_0")]
         assert b'{"Middle line": [{' in kept
-        settle(damaged, qtbot)
+        settle(damaged.services, qtbot)
 
     def test_keys_that_need_the_picture_say_why_they_do_nothing(self, make_window, annotated):
         first = sorted(annotated.glob("*.jpg"))[0]
@@ -203,7 +203,7 @@ class TestWhatWasLeft:
         services.editing.edit("taken out", lambda seen: seen.without(first))
         services.navigator.next_frame()
         assert name not in fits.cameras.fits
-        settle(begun, qtbot)
+        settle(begun.services, qtbot)
 
     def test_the_noise_of_two_annotators_follows_the_clicks(self, audited, second_annotator, qtbot):
         panel, services = audited.agreement, audited.services
@@ -217,7 +217,7 @@ class TestWhatWasLeft:
         )
         before = services.state.noise_floor
         qtbot.waitUntil(lambda: services.state.noise_floor != before)
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
 
 
 def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(begun, qtbot):

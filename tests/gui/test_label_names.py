@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.commands.exchange_dialogs import LabelDialog
-from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import until_kept
+from procc_annotator.gui.commands.importing import AnnotationImporter
 
 
 def shape(label: str, *points: tuple[float, float]) -> dict[str, object]:
@@ -35,21 +34,27 @@ def foreign(tmp_path) -> Path:
     return folder
 
 
-def asked(window: MainWindow, qtbot: QtBot, path: Path) -> LabelDialog:
+@pytest.fixture
+def importer(services, widget) -> AnnotationImporter:
+    widget.show()
+    return AnnotationImporter(services, widget)
+
+
+def asked(importer: AnnotationImporter, qtbot: QtBot, path: Path) -> LabelDialog:
     """The dialog of names, once the annotations are read."""
-    window.importer.names = None
-    window.actions_["import_annotations"].trigger()
-    dialog = window.importer.dialog
+    importer.names = None
+    importer.ask()
+    dialog = importer.dialog
     dialog.path.setText(str(path))
     dialog.start_button.click()
-    qtbot.waitUntil(lambda: window.importer.names is not None)
-    names = window.importer.names
+    qtbot.waitUntil(lambda: importer.names is not None)
+    names = importer.names
     assert names is not None
     return names
 
 
-def told(window: MainWindow, qtbot: QtBot) -> str:
-    dialog = window.importer.dialog
+def told(importer: AnnotationImporter, qtbot: QtBot) -> str:
+    dialog = importer.dialog
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())
     return dialog.report.toPlainText()
 
@@ -63,15 +68,17 @@ def box_of(names: LabelDialog, label: str) -> QComboBox:
     return next(b for b in names.choices if b.accessibleName() == f"What {label} stands for")
 
 
-def test_labels_are_asked_for_and_kept_with_the_dataset(window, qtbot, dataset, foreign):
-    names = asked(window, qtbot, foreign)
+def test_labels_are_asked_for_and_kept_with_the_dataset(
+    services, importer, qtbot, dataset, foreign
+):
+    names = asked(importer, qtbot, foreign)
     assert box_of(names, "halfway-line").currentText() == "Halfway line"  # by its words
     assert box_of(names, "crowd").currentText().startswith("?")  # nothing is guessed
     choose(names, "crowd", "Leave out")
     choose(names, "goal line", "Left goal line, Right goal line (left to right)")
     names.take.click()
-    assert "3 of 3 frames imported" in told(window, qtbot)
-    until_kept()
+    assert "3 of 3 frames imported" in told(importer, qtbot)
+    services.saver.settle()
     content = json.loads((dataset / "frame_0.json").read_text())
     assert set(content) == {"Middle line", "Side line left", "Side line right", "odd"}
     assert content["Side line left"][0]["x"] == 10 / 639
@@ -81,30 +88,30 @@ def test_labels_are_asked_for_and_kept_with_the_dataset(window, qtbot, dataset, 
     assert '"odd"' not in text
 
 
-def test_names_that_are_kept_are_not_asked_for_again(window, qtbot, dataset, foreign):
+def test_names_that_are_kept_are_not_asked_for_again(services, importer, qtbot, dataset, foreign):
     rules = [
         '"halfway-line" = "Middle line"', '"goal line" = false', "crowd = false", "odd = false"
     ]  # fmt: skip
     (dataset / "labels.toml").write_text("\n".join(["[labels]", *rules]))
-    window.actions_["import_annotations"].trigger()
-    dialog = window.importer.dialog
+    importer.ask()
+    dialog = importer.dialog
     dialog.path.setText(str(foreign))
     dialog.start_button.click()
-    assert "3 of 3 frames imported" in told(window, qtbot)
-    until_kept()
+    assert "3 of 3 frames imported" in told(importer, qtbot)
+    services.saver.settle()
     assert set(json.loads((dataset / "frame_1.json").read_text())) == {"Middle line"}
 
 
-def test_cancelling_imports_nothing(window, qtbot, dataset, foreign):
-    names = asked(window, qtbot, foreign)
+def test_cancelling_imports_nothing(importer, qtbot, dataset, foreign):
+    names = asked(importer, qtbot, foreign)
     QTest.keyClick(names, Qt.Key.Key_Escape)
-    assert "nothing was imported" in told(window, qtbot)
+    assert "nothing was imported" in told(importer, qtbot)
     assert not (dataset / "frame_0.json").exists()
     assert not (dataset / "labels.toml").exists()
 
 
-def test_the_dialog_is_worked_by_keys(window, qtbot, foreign):
-    names = asked(window, qtbot, foreign)
+def test_the_dialog_is_worked_by_keys(importer, qtbot, foreign):
+    names = asked(importer, qtbot, foreign)
     qtbot.waitUntil(names.isVisible)
     first = names.choices[0]
     first.setFocus()
@@ -118,4 +125,4 @@ def test_the_dialog_is_worked_by_keys(window, qtbot, foreign):
             order[-1] = order[-1].nextInFocusChain()
     assert order == names.choices
     QTest.keyClick(names, Qt.Key.Key_Return)
-    assert "imported" in told(window, qtbot)
+    assert "imported" in told(importer, qtbot)

@@ -58,14 +58,14 @@ def test_what_gives_way_leaves_no_stain(audited, qtbot):
         next(i for i, s in enumerate(services.state.sources) if s.name == "bad")
     )
     services.selection.set_mode("edit")
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     assert len(canvas.overlay_item.overlay.labels[0].texts) > 2
 
     def check() -> None:
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         part_by_part = on_screen(audited)
         canvas.viewport().update()
-        settle(audited, qtbot)
+        settle(audited.services, qtbot)
         assert np.array_equal(part_by_part, on_screen(audited))
 
     point = services.state.annotation.polylines[0].points[0]

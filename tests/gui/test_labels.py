@@ -73,7 +73,7 @@ def judged(audited, qtbot) -> MainWindow:
     """A frame with a failing point at the right edge of its picture, which fills the view."""
     services = audited.services
     services.camera_sources.set_active_camera(1)
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     audited.canvas.set_scale(1.0)
     return audited
 

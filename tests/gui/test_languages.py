@@ -205,7 +205,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
     services.store.events.message.connect(lambda m: found.append(("told", m.text)))
     begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     second = shutil.copytree(workspace.root, tmp_path / "second")
-    qtbot.waitUntil(lambda: bool(services.ghosts.painted), timeout=20_000)
+    qtbot.waitUntil(lambda: bool(services.ghosts.painted))
     for action in ("next_ghost", "not_visible", "visible_again", "accept_ghost"):
         begun.actions_[action].trigger()
         begun._show_menu(QPoint(0, 0))

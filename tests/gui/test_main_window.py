@@ -394,7 +394,7 @@ def test_the_field_map_keeps_its_room_whatever_panel_is_opened(make_window, anno
     window = make_window(annotated, size=(1280, 720))
     window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
     window.services.navigator.go_to(1)
-    qtbot.waitUntil(lambda: window.services.live_fit.result is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.services.live_fit.result is not None)
     height = window.field_map.height()
     assert height >= 220
     for name in set(window.docks) - {"frames", "field_map"}:

@@ -64,7 +64,7 @@ def test_it_is_the_same_everywhere(make_window, qtbot, sample_data, tmp_path, sa
     services, seen = window.services, 0
     for index in range(len(FRAMES[sample])):
         services.navigator.go_to(index)
-        qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: services.live_fit.insight is not None)
         services.selection.select_class(None)
         places = told(window)
         assert len(set(places.values())) == 1, places
@@ -86,7 +86,7 @@ def test_what_was_chosen_after_the_last_one_stays_the_next_until_it_is_drawn(
     folder = part_of(sample_data, tmp_path / "part", ("00002",), 4)
     window = make_window(folder)
     services, hand = window.services, hand_on(window)
-    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None)
     best = services.ghosts.suggestion
     services.selection.select_class(best.name)
     assert set(told(window).values()) == {services.state.field.title_of(best.name)}
@@ -96,7 +96,7 @@ def test_what_was_chosen_after_the_last_one_stays_the_next_until_it_is_drawn(
     hand.click(700, 350)
     hand.key(Qt.Key.Key_Return)
     assert services.state.selected_class == announced
-    qtbot.waitUntil(lambda: services.live_fit.insight is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.live_fit.insight is not None)
     best = services.ghosts.suggestion
     if best is not None:  # of what the new fit has in sight
         assert best.name == announced

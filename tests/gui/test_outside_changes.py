@@ -53,12 +53,12 @@ def row(window: MainWindow, index: int) -> RowInfo:
 def test_what_is_taken_back_counts_nowhere(audited, annotated, hand_on, qtbot):
     path = annotated / "00005.json"
     audited.services.navigator.go_to(4)
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     before = evaluated(annotated)
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     assert path.exists()
     audited.actions_["undo"].trigger()
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     let_work_end(qtbot)
     assert not path.exists()
     assert evaluated(annotated) == before
@@ -70,7 +70,7 @@ def test_a_file_without_elements_counts_as_it_does_for_evaluate(make_window, ann
     window = make_window(annotated)
     window.services.live_fit.set_wanted(False)
     window.services.camera_sources.load_cameras(annotated / "cameras" / "true")
-    settle(window, qtbot)
+    settle(window.services, qtbot)
     assert evaluated(annotated)["00003"] == 0.0
     assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
     window.services.navigator.go_to(2)
@@ -91,7 +91,7 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     qtbot.waitUntil(lambda: row(audited, 5).count not in (None, 3))
     change(annotated / "00006.json", 3)
     services.navigator.go_to(5)
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     let_work_end(qtbot)
     expected = evaluated(annotated)
     assert f"{expected['00006']:.3f}" in audited.top_bar.camera_bar.jac.text()
@@ -124,7 +124,7 @@ def test_the_whole_set_follows_once_the_window_is_active_again(audited, annotate
     (annotated / "00005.json").write_text("{}")
     activate(audited)
     let_work_end(qtbot)
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     assert shown(audited) == pytest.approx(evaluated(annotated), abs=1e-6)
     qtbot.waitUntil(lambda: [row(audited, i).count for i in (2, 5, 3)] == [2, 3, 0])
     assert "00002.json" in audited.frame_bar.label.text()
@@ -181,7 +181,7 @@ def test_cameras_written_anew_are_judged(audited, annotated, qtbot, how):
     else:
         activate(audited)
     let_work_end(qtbot)
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     expected = evaluated(annotated)
     assert expected["00002"] < 1.0
     assert "00006" not in expected

@@ -1,7 +1,6 @@
 """Overlay pictures from the window and from `render`: kinds, scale, legend."""
 
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -10,22 +9,27 @@ from PySide6.QtWidgets import QDialogButtonBox, QFileDialog
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
-from procc_annotator.gui.commands.overlay_saving import OverlayDialog
+from procc_annotator.gui.commands.overlay_saving import OverlayDialog, OverlaySaving
+from procc_annotator.gui.state.services import Services
 from procc_annotator.report.overlay_scene import OverlayLook, Scene
-from tests.gui.conftest import heard
 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def judged_window(make_window, annotated: Path):
-    window = make_window(annotated)
-    assert window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
-    assert window.services.scorer.score is not None
-    return window
+@pytest.fixture
+def services(open_services, annotated) -> Services:
+    services = open_services(annotated)
+    assert services.camera_sources.load_cameras(annotated / "cameras" / "bad")
+    assert services.scorer.score is not None
+    return services
 
 
-def scene_of(window, **changes) -> Scene:
-    services = window.services
+@pytest.fixture
+def saving(services, widget) -> OverlaySaving:
+    return OverlaySaving(services, widget)
+
+
+def scene_of(services: Services, **changes) -> Scene:
     given = {
         "image_path": services.state.frame.image_path,
         "annotation": services.state.annotation,
@@ -44,13 +48,12 @@ def decoded(data: bytes) -> np.ndarray:
 
 
 @pytest.mark.parametrize("scale", [0.5, 1.0, 2.0])
-def test_pixels_come_at_any_scale(make_window, annotated, scale):
-    window = judged_window(make_window, annotated)
-    width, height = window.services.state.picture_size
-    plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(window)))
+def test_pixels_come_at_any_scale(services, scale):
+    width, height = services.state.picture_size
+    plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(services)))
     assert plain.shape[:2] == (round(height * scale), round(width * scale))
     with_legend = decoded(
-        OverlayPictures(".png", OverlayLook(scale, legend=True))(scene_of(window))
+        OverlayPictures(".png", OverlayLook(scale, legend=True))(scene_of(services))
     )
     assert with_legend.shape[1] == plain.shape[1]
     band = with_legend[plain.shape[0] :]
@@ -59,12 +62,11 @@ def test_pixels_come_at_any_scale(make_window, annotated, scale):
     assert (band.min(axis=2) > 200).sum() > 200  # white text
 
 
-def test_svg_keeps_text_and_says_what_it_is(make_window, annotated):
-    window = judged_window(make_window, annotated)
-    scene = scene_of(window)
+def test_svg_keeps_text_and_says_what_it_is(services):
+    scene = scene_of(services)
     data = OverlayPictures(".svg", OverlayLook(2.0, legend=True))(scene)
     root = ElementTree.fromstring(data)
-    width, height = window.services.state.picture_size
+    width, height = services.state.picture_size
     assert root.get("width") == str(2 * width)
     shown_height = float(root.get("height"))
     assert shown_height > 2 * height
@@ -78,15 +80,14 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, annotated):
     texts = ["".join(t.itertext()) for t in root.iter(f"{SVG}text")]
     assert any(t.startswith("too far: a point") for t in texts)
     assert "distances: px of 960x540" in texts
-    jac = window.services.scorer.score.jac
+    jac = services.scorer.score.jac
     assert any(f"JaC@5 {jac:.3f}" in t and "soccernet, 960x540" in t for t in texts)
     order = [element.tag for element in root]
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
 
 
-def test_without_a_picture_ground_is_drawn(make_window, annotated):
-    window = judged_window(make_window, annotated)
-    scene = scene_of(window, image_path=None)
+def test_without_a_picture_ground_is_drawn(services):
+    scene = scene_of(services, image_path=None)
     picture = decoded(OverlayPictures(".png", OverlayLook(caption=False))(scene))
     assert picture.shape == (540, 960, 3)
     assert len(np.unique(picture[:20, :20].reshape(-1, 3), axis=0)) == 1
@@ -101,8 +102,7 @@ def test_what_cannot_be_made_is_said():
         OverlayPictures(".gif")
 
 
-def test_the_menu_asks_and_writes(make_window, annotated, tmp_path, monkeypatch, qtbot):
-    window = judged_window(make_window, annotated)
+def test_the_menu_asks_and_writes(said, saving, annotated, tmp_path, monkeypatch, qtbot):
     out = tmp_path / "figure"
 
     def choose(self: OverlayDialog) -> int:
@@ -114,34 +114,32 @@ def test_the_menu_asks_and_writes(make_window, annotated, tmp_path, monkeypatch,
 
     monkeypatch.setattr(OverlayDialog, "exec", choose)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
-    said = heard(window.services)
-    window.actions_["save_overlay"].trigger()
+    saving.ask()
     written = out.with_suffix(".svg")
-    qtbot.waitUntil(lambda: len(said) == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: len(said) == 2)
     assert ElementTree.parse(written).getroot().get("width") == "1920"
     assert said[-1] == f"overlay picture written to {written}"
 
 
 def test_the_window_goes_on_while_a_large_picture_is_written(
-    make_window, annotated, tmp_path, qtbot
+    said, saving, services, annotated, tmp_path, qtbot
 ):
-    window = judged_window(make_window, annotated)
     expected = decoded(
         OverlayPictures(".png", OverlayLook(3.0, legend=True))(
-            scene_of(window, title=window.services.state.frame.name, source="bad")
+            scene_of(services, title=services.state.frame.name, source="bad")
         )
     )
     said: list[tuple[str, str]] = []
-    window.services.store.events.message.connect(lambda m: said.append((m.text, m.level)))
+    services.store.events.message.connect(lambda m: said.append((m.text, m.level)))
     out = tmp_path / "large.png"
-    assert window.overlay_saving.write(out, OverlayLook(3.0, legend=True))
+    assert saving.write(out, OverlayLook(3.0, legend=True))
     assert not out.exists()  # nobody waited for it
-    window.services.navigator.next_frame()  # what is written is what was on screen then
-    qtbot.waitUntil(out.exists, timeout=20_000)
+    services.navigator.next_frame()  # what is written is what was on screen then
+    qtbot.waitUntil(out.exists)
     assert np.array_equal(decoded(out.read_bytes()), expected)
     qtbot.waitUntil(lambda: said[-1] == (f"overlay picture written to {out}", "info"))
-    assert window.overlay_saving.write(tmp_path / "none" / "x.png", OverlayLook())
-    qtbot.waitUntil(lambda: said[-1][1] == "error", timeout=20_000)
+    assert saving.write(tmp_path / "none" / "x.png", OverlayLook())
+    qtbot.waitUntil(lambda: said[-1][1] == "error")
     assert "x.png" in said[-1][0]
 
 
@@ -159,9 +157,8 @@ def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot):
     assert save.isEnabled()
 
 
-def test_the_picture_itself_is_never_replaced(make_window, dataset):
-    window = make_window(dataset)
-    path = window.services.state.frame.image_path
+def test_the_picture_itself_is_never_replaced(saving, services):
+    path = services.state.frame.image_path
     before = path.read_bytes()
-    assert not window.overlay_saving.write(path, OverlayLook())
+    assert not saving.write(path, OverlayLook())
     assert path.read_bytes() == before

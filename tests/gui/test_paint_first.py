@@ -52,7 +52,7 @@ def test_leaving_right_after_an_edit_judges_what_was_left(audited, qtbot):
     assert services.scoring.active_audits[name].jac_at(services.state.tau) == pytest.approx(
         score.jac
     )
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
 
 
 def test_closing_right_after_an_edit_or_an_undo_loses_nothing(make_window, annotated):
@@ -75,7 +75,7 @@ def test_closing_right_after_an_edit_or_an_undo_loses_nothing(make_window, annot
 def test_an_undo_is_one_step_and_draws_the_overlay_once(audited, qtbot, monkeypatch):
     services, canvas = audited.services, audited.canvas
     services.editing.commit_edit("nudge", nudged(services.state.annotation))
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     steps, drawn = [], []
     services.store.watch(lambda s: s.annotation, lambda: steps.append(1))
     draw = canvas.overlay_item.set_overlay
@@ -85,7 +85,7 @@ def test_an_undo_is_one_step_and_draws_the_overlay_once(audited, qtbot, monkeypa
     services.editing.undo()
     assert (len(steps), len(drawn)) == (1, 1)
     assert audited.status.hint.text().startswith("undone: nudge")
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
 
 
 class Layouts(QObject):
@@ -102,7 +102,7 @@ class Layouts(QObject):
 
 
 def test_a_text_in_a_bar_does_not_lay_out_the_window(audited, qtbot):
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     status, saved, layouts = audited.status, audited.top_bar.saved, Layouts(audited)
     saved.set_saved("saving...", alarm=False)
     status.set_work("scoring 1 / 2,000")
@@ -135,7 +135,7 @@ class Painted(QObject):
 
 
 def test_an_edit_is_painted_before_anything_that_waits_its_turn(audited, qtbot):
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
     services, canvas, later = audited.services, audited.canvas, QTimer(singleShot=True, interval=0)
     painted = Painted(canvas.viewport())
     QApplication.processEvents()
@@ -146,7 +146,7 @@ def test_an_edit_is_painted_before_anything_that_waits_its_turn(audited, qtbot):
     later.start()
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [1], "the picture was painted before it, once"
-    settle(audited, qtbot)
+    settle(audited.services, qtbot)
 
 
 def test_one_row_of_the_frames_is_painted_for_one_frame(audited, qtbot):

@@ -28,17 +28,17 @@ def test_it_is_drawn_on_demand_and_follows(judged, qtbot):
     services, action = judged.services, judged.actions_["painted_width"]
     assert borders(judged) == 0
     action.trigger()
-    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: borders(judged) > 0)
     before = services.line_widths.value
     services.field_choice.resize({"length": 100.0}, keep=False)
-    qtbot.waitUntil(lambda: services.line_widths.value not in (None, before), timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_widths.value not in (None, before))
     services.navigator.next_frame()
     services.navigator.previous_frame()
-    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: borders(judged) > 0)
     services.blind_lock.set_blind(True)
     assert borders(judged) == 0
     services.blind_lock.set_blind(False)
-    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: borders(judged) > 0)
     services.camera_sources.set_active_camera(-1)
     assert borders(judged) == 0
     action.trigger()
@@ -58,7 +58,7 @@ def test_the_borders_lie_on_the_edges_of_the_painted_line(judged, qtbot):
     """The sample is drawn with lines of the width that the field says."""
     judged.actions_["painted_width"].trigger()
     services = judged.services
-    qtbot.waitUntil(lambda: services.line_widths.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: services.line_widths.value is not None)
     shown, projected = services.line_widths.value, services.scorer.measurement.projected
     scale = services.state.picture_size[0] / services.state.setup.size[0]
     picture = cv2.cvtColor(
@@ -93,4 +93,4 @@ def test_what_failed_is_tried_again(judged, qtbot, monkeypatch):
     assert tried[0] is tried[1]
     assert len([text for text in told if "painted width cannot be drawn" in text]) == 1
     services.line_widths.retry()
-    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: borders(judged) > 0)

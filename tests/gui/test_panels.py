@@ -1,7 +1,6 @@
 """The panels beside the canvas: what they show of a real frame and camera, and what clicks do."""
 
 import json
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import cv2
@@ -86,28 +85,14 @@ def cameras(tmp_path) -> Path:
 
 
 @pytest.fixture
-def services(qapp, frames) -> Iterator[Services]:
-    services = Services()
-    assert services.opening.open_path(frames)
-    yield services
-    services.close()
+def services(open_services, frames) -> Services:
+    return open_services(frames)
 
 
 @pytest.fixture
 def judged(services, cameras) -> Services:
     assert services.camera_sources.load_cameras(cameras)
     return services
-
-
-@pytest.fixture
-def show(qtbot) -> Callable[[QWidget], None]:
-    def shown(widget: QWidget) -> None:
-        qtbot.addWidget(widget)
-        widget.resize(420, 480)
-        with qtbot.waitExposed(widget):
-            widget.show()
-
-    return shown
 
 
 # --- states ------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 """The list of frames: opens at once whatever its length, filters, follows, shows what is done."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -29,20 +29,14 @@ def frames(tmp_path) -> Path:
 
 
 @pytest.fixture
-def services(qapp, frames) -> Iterator[Services]:
-    services = Services()
-    assert services.opening.open_path(frames)
-    yield services
-    services.close()
+def services(open_services, frames) -> Services:
+    return open_services(frames)
 
 
 @pytest.fixture
-def panel(qtbot, services) -> FramesPanel:
-    panel = FramesPanel(services)
-    qtbot.addWidget(panel)
+def panel(services, show) -> FramesPanel:
+    panel = show(FramesPanel(services))
     panel.resize(260, 700)
-    with qtbot.waitExposed(panel):
-        panel.show()
     return panel
 
 

@@ -2,8 +2,10 @@
 
 import csv
 import io
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -15,9 +17,10 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui import theme
-from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.plots.page import PlotRequest, PlottedSource, dash_of, symbol_of
 from procc_annotator.gui.panels.plots.pages import HistogramPage, TauPage, TimelinePage, VectorsPage
+from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
+from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from tests.gui.conftest import all_done
@@ -32,36 +35,47 @@ def sample(annotated) -> Path:
     return annotated
 
 
+class Plotted(NamedTuple):
+    services: Services
+    plots: PlotsPanel
+
+
 @pytest.fixture
-def plotted(make_window, sample, qtbot) -> MainWindow:
-    """The window on the sample, three sources audited, "bad" active, the plots open; no fit."""
-    window = make_window(sample)
-    window.services.live_fit.set_wanted(False)
+def plotted(open_services, sample, show, qtbot) -> Plotted:
+    """Three sources of the sample audited, "bad" active, and the panel; no fit."""
+    services = open_services(sample)
+    services.live_fit.set_wanted(False)
     for name in SETS:
-        assert window.services.camera_sources.load_cameras(sample / "cameras" / name)
-    window.services.camera_sources.set_active_camera(1)
-    window.services.navigator.go_to(1)
-    qtbot.waitUntil(lambda: not window.services.scoring.running, timeout=20_000)
-    window.panels.show("plots")
-    return window
+        assert services.camera_sources.load_cameras(sample / "cameras" / name)
+    services.camera_sources.set_active_camera(1)
+    services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: not services.scoring.running)
+    return Plotted(services, opened(services, show))
 
 
-def show(window: MainWindow, qtbot: QtBot, page: type, scope: str = "set") -> None:
-    panel = window.plots
+def opened(services: Services, show: Callable[[PlotsPanel], PlotsPanel]) -> PlotsPanel:
+    panel = show(PlotsPanel(services))
+    panel.resize(900, 420)
+    panel.set_in_sight(True)
+    return panel
+
+
+def turn_to(plotted: Plotted, qtbot: QtBot, page: type, scope: str = "set") -> None:
+    panel = plotted.plots
     panel.scope.setCurrentIndex(panel.scope.findData(scope))
     panel.choose(page.title)
-    settle(window, qtbot)
+    settle(plotted, qtbot)
     assert isinstance(panel.page, page)
 
 
-def said(window: MainWindow) -> str:
-    return f"{window.plots.notes.text()} {window.plots.notes.toolTip()}"
+def said(plotted: Plotted) -> str:
+    return f"{plotted.plots.notes.text()} {plotted.plots.notes.toolTip()}"
 
 
-def settle(window: MainWindow, qtbot: QtBot) -> None:
+def settle(plotted: Plotted, qtbot: QtBot) -> None:
     """Everything asked for is computed and drawn."""
     all_done(qtbot)
-    qtbot.waitUntil(lambda: not window.plots.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not plotted.plots.busy)
     all_done(qtbot)
 
 
@@ -78,9 +92,9 @@ def hover_at(page: TimelinePage, x: float) -> None:
     page.view.scene().sigMouseMoved.emit(item.vb.mapViewToScene(QPointF(x, 0.5)))
 
 
-def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]]:
+def numbers(plotted: Plotted, qtbot: QtBot, path: Path) -> list[dict[str, str]]:
     """What saving the numbers writes."""
-    window.plots.save_numbers(path)
+    plotted.plots.save_numbers(path)
     qtbot.waitUntil(path.exists)
     all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
@@ -92,7 +106,7 @@ class TestTimeline:
         return sample_copy
 
     def test_a_click_shows_the_frame_and_the_mark_follows(self, plotted, qtbot):
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         page = plotted.plots.page
         for number in (7, 3, 12):
             click_at(page, number)
@@ -102,7 +116,7 @@ class TestTimeline:
         qtbot.waitUntil(lambda: page.here.value() == 1)
 
     def test_it_shows_every_score_and_gaps(self, plotted, qtbot, tmp_path):
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         services = plotted.services
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         assert [row["frame"] for row in rows] == [f.name for f in services.state.workspace.frames]
@@ -118,7 +132,7 @@ class TestTimeline:
         assert np.isnan(drawn["bad"]).sum() == 14 - len(services.state.sources[1].audits) > 0
 
     def test_hovering_tells_frame_and_values(self, plotted, qtbot):
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         hover_at(plotted.plots.page, 2.1)
         said = plotted.plots.notes.text()
         jac = plotted.services.state.sources[1].audits["00002"].jac_at(5.0)
@@ -128,7 +142,7 @@ class TestTimeline:
         assert "bad –" in plotted.plots.notes.text()
 
     def test_another_tau_gives_other_values(self, plotted, qtbot):
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         plotted.services.evaluation.set_tau(20.0)
         settle(plotted, qtbot)
         audits = plotted.services.state.sources[1].audits
@@ -143,7 +157,7 @@ class TestTau:
         return sample_copy
 
     def test_the_frames_curves_and_the_line_that_can_be_dragged(self, plotted, qtbot, tmp_path):
-        show(plotted, qtbot, TauPage, "frame")
+        turn_to(plotted, qtbot, TauPage, "frame")
         services, page = plotted.services, plotted.plots.page
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
@@ -155,7 +169,7 @@ class TestTau:
         assert services.state.tau == 8.0
 
     def test_the_sets_curve_is_the_mean(self, plotted, qtbot, tmp_path):
-        show(plotted, qtbot, TauPage, "set")
+        turn_to(plotted, qtbot, TauPage, "set")
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         audits = plotted.services.state.sources[1].audits
         mean = np.mean([a.jac_at(5.0) for a in audits.values()])
@@ -167,15 +181,15 @@ class TestTau:
 
     def test_bands_rest_on_the_datasets_table_of_frames(self, plotted, qtbot, tmp_path):
         """Names 00001 to 00014 are one shot; the table says that they are of three."""
-        show(plotted, qtbot, TauPage, "set")
+        turn_to(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
         alone = numbers(plotted, qtbot, tmp_path / "alone.csv")
         names = [frame.name for frame in plotted.services.state.workspace.frames]
         table = plotted.services.state.workspace.folder / "frames.csv"
         rows = [f"{name},{'abc'[place // 5]},{place}" for place, name in enumerate(names)]
         table.write_text("frame,shot,number\n" + "\n".join(rows) + "\n")
-        show(plotted, qtbot, TimelinePage, "set")
-        show(plotted, qtbot, TauPage, "set")
+        turn_to(plotted, qtbot, TimelinePage, "set")
+        turn_to(plotted, qtbot, TauPage, "set")
         assert "3 clusters of one shot each, by frames.csv" in said(plotted)
         clustered = numbers(plotted, qtbot, tmp_path / "clustered.csv")
         at = next(n for n, row in enumerate(alone) if row["tau_px"] == "5.0")
@@ -186,13 +200,13 @@ class TestTau:
         (plotted.services.state.workspace.folder / "frames.csv").write_text(
             "frame,shot\n1,a\n1,a\n"
         )
-        show(plotted, qtbot, TauPage, "set")
+        turn_to(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
         assert "Shots are told by names, since" in said(plotted)
         assert "line 3: frame '1' again" in said(plotted)
 
     def test_an_edit_is_seen_at_once(self, plotted, qtbot):
-        show(plotted, qtbot, TauPage, "frame")
+        turn_to(plotted, qtbot, TauPage, "frame")
         services = plotted.services
         before = plotted.plots._data.curves[1].copy()
         services.editing.commit_edit(
@@ -203,7 +217,7 @@ class TestTau:
 
 class TestErrors:
     def test_the_bars_count_every_point(self, plotted, qtbot):
-        show(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, HistogramPage)
         services = plotted.services
         for source, counts in zip(
             services.state.sources, plotted.plots._data.bars.counts, strict=True
@@ -212,7 +226,7 @@ class TestErrors:
             assert counts.sum() == points > 0
 
     def test_one_class_only(self, plotted, qtbot):
-        show(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, HistogramPage)
         panel, services = plotted.plots, plotted.services
         row = services.state.field.index["Middle line"]
         panel.classes.setCurrentIndex(panel.classes.findData(row))
@@ -229,7 +243,7 @@ class TestErrors:
         )
 
     def test_the_numbers_of_a_frame_are_its_points(self, plotted, qtbot, tmp_path):
-        show(plotted, qtbot, VectorsPage, "frame")
+        turn_to(plotted, qtbot, VectorsPage, "frame")
         rows = [r for r in numbers(plotted, qtbot, tmp_path / "p.csv") if r["source"] == "bad"]
         labelling = plotted.services.scorer.score.labelling
         errors = sorted(float(row["error_px"]) for row in rows)
@@ -241,7 +255,7 @@ class TestErrors:
             )
 
     def test_arrows_end_on_the_projection_and_can_be_drawn_longer(self, plotted, qtbot):
-        show(plotted, qtbot, VectorsPage, "frame")
+        turn_to(plotted, qtbot, VectorsPage, "frame")
         page = plotted.plots.page
         page.factor.setCurrentIndex(page.factor.findData(10))
         settle(plotted, qtbot)
@@ -254,7 +268,7 @@ class TestErrors:
 
     @pytest.mark.parametrize("scope", ["frame", "set"])
     def test_numbers_of_residuals_are_those_of_every_point(self, plotted, qtbot, tmp_path, scope):
-        show(plotted, qtbot, VectorsPage, scope)
+        turn_to(plotted, qtbot, VectorsPage, scope)
         rows = numbers(plotted, qtbot, tmp_path / "p.csv")
         points = plotted.plots._data.points
         assert len(rows) == sum(len(p.errors_px) for p in points) > 10
@@ -265,24 +279,26 @@ class TestErrors:
 
 
 class TestWords:
-    def test_without_cameras_and_frames_it_says_what_to_do(self, make_window, sample, qtbot):
-        window = make_window()
-        window.panels.show("plots")
-        qtbot.waitUntil(lambda: "Open a folder" in window.plots.empty.text())
-        assert window.plots.empty.isVisible()
-        window.services.opening.open_path(sample)
-        qtbot.waitUntil(lambda: "Load cameras" in window.plots.empty.text())
-        assert not window.plots.more.isEnabled()
+    def test_without_cameras_and_frames_it_says_what_to_do(
+        self, open_services, sample, show, qtbot
+    ):
+        services = open_services()
+        plots = opened(services, show)
+        qtbot.waitUntil(lambda: "Open a folder" in plots.empty.text())
+        assert plots.empty.isVisible()
+        services.opening.open_path(sample)
+        qtbot.waitUntil(lambda: "Load cameras" in plots.empty.text())
+        assert not plots.more.isEnabled()
 
     def test_a_frame_without_score_says_so(self, plotted, qtbot):
         plotted.services.navigator.go_to(4)  # nothing is annotated
         for page in (TauPage, HistogramPage, VectorsPage):
-            show(plotted, qtbot, page, "frame")
+            turn_to(plotted, qtbot, page, "frame")
             assert plotted.plots.page.is_empty
             assert plotted.plots.page.empty.text()
 
     def test_hidden_sources_are_not_plotted(self, plotted, qtbot):
-        show(plotted, qtbot, TauPage)
+        turn_to(plotted, qtbot, TauPage)
         assert "homography" in plotted.plots.legend.text
         plotted.services.camera_sources.set_source_visible(plotted.services.state.sources[2], False)
         settle(plotted, qtbot)
@@ -294,16 +310,16 @@ class TestBlind:
         plotted.services.blind_lock.set_blind(True)
         for page in PAGES:
             for scope in ("frame", "set"):
-                show(plotted, qtbot, page, scope)
+                turn_to(plotted, qtbot, page, scope)
                 assert plotted.plots.page.is_empty, (page.title, scope)
                 assert "Hidden: blind mode" in plotted.plots.page.empty.text(), (page.title, scope)
                 words = "hidden" if plotted.plots._request.scope == "frame" else "0 committed"
                 assert plotted.plots.legend.text == ", ".join(f"{s} ({words})" for s in SETS)
         plotted.services.editing.commit_frame()
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         assert [row["frame"] for row in rows if row["jac@5 bad"]] == ["00002"]
-        show(plotted, qtbot, TauPage, "frame")
+        turn_to(plotted, qtbot, TauPage, "frame")
         assert not plotted.plots.page.is_empty
         plotted.services.navigator.go_to(2)
         qtbot.waitUntil(lambda: plotted.plots.page.is_empty)
@@ -313,7 +329,7 @@ class TestTakingAlong:
     @pytest.mark.parametrize("page", PAGES)
     def test_pictures_and_numbers_of_every_plot(self, plotted, qtbot, tmp_path, page):
         for scope in ("frame", "set"):
-            show(plotted, qtbot, page, scope)
+            turn_to(plotted, qtbot, page, scope)
             png, svg = tmp_path / f"{scope}.png", tmp_path / f"{scope}.svg"
             plotted.plots.save_picture(png)
             plotted.plots.save_picture(svg)
@@ -327,15 +343,15 @@ class TestTakingAlong:
             assert numbers(plotted, qtbot, tmp_path / f"{scope}.csv")
 
     def test_the_clipboard(self, plotted, qtbot):
-        show(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, HistogramPage)
         plotted.plots.copy_numbers()
         qtbot.waitUntil(lambda: "points bad" in QGuiApplication.clipboard().text())
         plotted.plots.copy_picture()
         assert not QGuiApplication.clipboard().image().isNull()
 
     def test_another_plots_numbers_are_never_taken_for_this_ones(self, plotted, qtbot, tmp_path):
-        show(plotted, qtbot, HistogramPage)
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, TimelinePage)
         plotted.plots.choose(HistogramPage.title)
         with qtbot.waitSignal(plotted.services.store.events.message) as told:
             plotted.plots.save_numbers(tmp_path / "x.csv")
@@ -344,7 +360,7 @@ class TestTakingAlong:
         assert "points bad" in numbers(plotted, qtbot, tmp_path / "x.csv")[0]
 
     def test_what_cannot_be_written_is_told(self, plotted, qtbot):
-        show(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, HistogramPage)
         with qtbot.waitSignal(plotted.services.store.events.message) as told:
             plotted.plots.save_numbers(Path("/proc/no such folder/x.csv"))
         assert told.args[0].level == "error"
@@ -365,7 +381,7 @@ class TestLooks:
 
     def test_axes_follow_the_theme(self, plotted, qtbot, qapp):
         before = qapp.palette()
-        show(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, HistogramPage)
         try:
             for dark in (True, False):
                 qapp.setPalette(theme.palette(dark))
@@ -378,7 +394,7 @@ class TestLooks:
 
     def test_the_ground_follows_the_theme(self, plotted, qtbot, qapp):
         before = qapp.palette()
-        show(plotted, qtbot, HistogramPage)
+        turn_to(plotted, qtbot, HistogramPage)
         view = plotted.plots.page.view
         qtbot.waitUntil(view.isVisible)
         try:
@@ -394,7 +410,7 @@ class TestLooks:
     def test_pyqtgraph_waits_until_the_plots_are_looked_at(self, make_window, sample, qtbot):
         window = make_window(sample)
         window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
-        qtbot.waitUntil(lambda: not window.services.scoring.running, timeout=20_000)
+        qtbot.waitUntil(lambda: not window.services.scoring.running)
         all_done(qtbot)
         assert not window.plots._made
         window.panels.show("plots")
@@ -426,7 +442,7 @@ class TestWithoutColour:
             assert len({dash_of(s) for s in some}) == len({symbol_of(s) for s in some}) == 6
 
     def test_lines_too_dense_for_dashes_have_symbols_here_and_there(self, plotted, qtbot):
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         page = plotted.plots.page
         audits = plotted.services.state.active.audits
         names = tuple(f"f{i}" for i in range(3000))
@@ -452,7 +468,7 @@ class TestWithoutColour:
         assert legend.text == "fit (fitted on these clicks) (3 of 14)"
 
     def test_the_legend_shows_the_symbol(self, plotted, qtbot):
-        show(plotted, qtbot, TimelinePage)
+        turn_to(plotted, qtbot, TimelinePage)
         legend = plotted.plots.legend
 
         def ink(number: int) -> int:

@@ -9,25 +9,39 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.editing import move_points
 from procc_annotator.dataset.records import OriginKind, Status
+from procc_annotator.gui.commands.exporting import Exporter
+from procc_annotator.gui.commands.frame_walks import StatusWalk
 from procc_annotator.gui.commands.versions import apply_version
-from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.agreement import AgreementPanel
+from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.review import ReviewPanel
+from procc_annotator.gui.state.services import Services
 from procc_annotator.report.window_tables import overview_rows
-from tests.gui.conftest import all_done, until_kept
+from tests.gui.conftest import all_done, draw, heard
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 MIDDLE, TOP = "Middle line", "Side line top"
 
 
-def status(window: MainWindow, frame: int = 0) -> Status:
-    return window.services.review.status(f"frame_{frame}")
+def status(services: Services, frame: int = 0) -> Status:
+    return services.review.status(f"frame_{frame}")
 
 
-def rows(window: MainWindow) -> list[str]:
-    model = window.frames.model
-    return [window.services.state.workspace.frames[model.frame_index(r)].name
-            for r in range(model.rowCount())]  # fmt: skip
+def rows(panel: FramesPanel) -> list[str]:
+    model = panel.model
+    return [str(model.data(model.index(row))) for row in range(model.rowCount())]
+
+
+def px(*points: tuple[float, float]) -> list[tuple[float, float]]:
+    return [(x / 639, y / 359) for x, y in points]
+
+
+def move(services: Services, point: int) -> None:
+    moved = move_points(services.state.annotation, [(MIDDLE, point)], 0.05, 0.05)
+    assert services.editing.commit_edit("move", moved, OriginKind.MOVED)
 
 
 def write_other(root: Path, **frames: dict[str, list[tuple[float, float]]]) -> Path:
@@ -43,73 +57,76 @@ def write_other(root: Path, **frames: dict[str, list[tuple[float, float]]]) -> P
     return folder
 
 
+@pytest.fixture
+def panel(services, show) -> ReviewPanel:
+    return show(ReviewPanel(services))
+
+
 class TestStatus:
     def test_an_edit_begins_a_frame_and_ctrl_enter_ends_it(self, window, hand):
-        assert status(window) is Status.UNTOUCHED
+        assert status(window.services) is Status.UNTOUCHED
         hand.draw(MIDDLE, (100, 100), (200, 200))
-        assert status(window) is Status.IN_PROGRESS
+        assert status(window.services) is Status.IN_PROGRESS
         hand.key(Qt.Key.Key_Return, CTRL)
-        assert status(window) is Status.DONE
+        assert status(window.services) is Status.DONE
         assert window.top_bar.status.text() == "done"
 
-    def test_shift_d_goes_on_to_what_is_not_done(self, window, hand):
-        window.services.navigator.go_to(1)
-        hand.key(Qt.Key.Key_Return, CTRL)
-        window.services.navigator.go_to(0)
-        hand.key(Qt.Key.Key_D, SHIFT)
-        assert window.services.state.frame_index == 2
-        hand.key(Qt.Key.Key_A, SHIFT)
-        assert window.services.state.frame_index == 0
+    def test_shift_d_goes_on_to_what_is_not_done(self, services):
+        services.navigator.go_to(1)
+        services.editing.commit_frame()
+        services.navigator.go_to(0)
+        StatusWalk(services).go_unfinished(1)
+        assert services.state.frame_index == 2
+        StatusWalk(services).go_unfinished(-1)
+        assert services.state.frame_index == 0
 
-    def test_a_rejected_frame_is_found_and_editing_it_reopens_it(self, window, hand):
-        window.services.navigator.go_to(2)
-        hand.key(Qt.Key.Key_X, CTRL | SHIFT)
-        assert status(window, 2) is Status.REJECTED
-        window.services.navigator.go_to(0)
-        hand.key(Qt.Key.Key_R, CTRL | SHIFT)
-        assert window.services.state.frame_index == 2
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        assert status(window, 2) is Status.IN_PROGRESS
+    def test_a_rejected_frame_is_found_and_editing_it_reopens_it(self, services):
+        services.navigator.go_to(2)
+        StatusWalk(services).set_status("rejected")
+        assert status(services, 2) is Status.REJECTED
+        services.navigator.go_to(0)
+        StatusWalk(services).go_rejected()
+        assert services.state.frame_index == 2
+        draw(services, MIDDLE)
+        assert status(services, 2) is Status.IN_PROGRESS
 
-    def test_status_and_place_are_there_after_a_restart(self, window, hand, make_window, dataset):
-        window.services.navigator.go_to(1)
-        hand.key(Qt.Key.Key_A, CTRL | SHIFT)
-        window.close()
-        again = make_window(dataset)
+    def test_status_and_place_are_there_after_a_restart(self, services, open_services, dataset):
+        services.navigator.go_to(1)
+        StatusWalk(services).set_status("approved")
+        services.close()
+        again = open_services(dataset)
         assert status(again, 1) is Status.APPROVED
-        assert again.services.state.frame_index == 1
+        assert again.state.frame_index == 1
 
-    def test_undoing_a_slip_gives_an_approved_frame_back(self, window, hand):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        window.services.review.set_status("frame_0", Status.APPROVED)
-        hand.key(Qt.Key.Key_W)
-        hand.drag((100, 100), (120, 130))
-        assert window.services.review.status("frame_0") is Status.IN_PROGRESS
-        hand.key(Qt.Key.Key_Z, CTRL)
-        assert window.services.review.status("frame_0") is Status.APPROVED
-        hand.key(Qt.Key.Key_Z, CTRL)  # further back than what was approved
-        assert window.services.review.status("frame_0") is Status.IN_PROGRESS
+    def test_undoing_a_slip_gives_an_approved_frame_back(self, services):
+        draw(services, MIDDLE)
+        services.review.set_status("frame_0", Status.APPROVED)
+        move(services, 0)
+        assert services.review.status("frame_0") is Status.IN_PROGRESS
+        services.editing.undo()
+        assert services.review.status("frame_0") is Status.APPROVED
+        services.editing.undo()  # further back than what was approved
+        assert services.review.status("frame_0") is Status.IN_PROGRESS
 
-    def test_the_panel_gives_a_status_too(self, window):
-        window.panels.show("review")
-        combo = window.review.status
+    def test_the_panel_gives_a_status_too(self, panel, services):
+        combo = panel.status
         combo.activated.emit(combo.findData(Status.REJECTED))
-        assert status(window) is Status.REJECTED
+        assert status(services) is Status.REJECTED
 
 
 class TestComments:
-    def test_a_comment_has_author_and_time_and_can_be_settled(self, window, hand, qtbot):
-        window.services.set_author("Ada")
-        hand.key(Qt.Key.Key_M, CTRL)
-        qtbot.keyClicks(window.review.text, "left post is hidden")
-        qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
-        (comment,) = window.services.review.comments("frame_0")
+    def test_a_comment_has_author_and_time_and_can_be_settled(self, panel, services, qtbot):
+        services.set_author("Ada")
+        panel.focus_comment()
+        qtbot.keyClicks(panel.text, "left post is hidden")
+        qtbot.keyClick(panel.text, Qt.Key.Key_Return)
+        (comment,) = services.review.comments("frame_0")
         assert (comment.author, comment.text) == ("Ada", "left post is hidden")
-        qtbot.waitUntil(lambda: window.review.comments.count() == 1)
-        item = window.review.comments.item(0)
+        qtbot.waitUntil(lambda: panel.comments.count() == 1)
+        item = panel.comments.item(0)
         assert "Ada" in item.text()
         item.setCheckState(Qt.CheckState.Checked)
-        (settled,) = window.services.review.comments("frame_0")
+        (settled,) = services.review.comments("frame_0")
         assert settled.resolved
 
     def test_escape_gives_the_keyboard_back(self, window, hand):
@@ -130,11 +147,15 @@ class TestComments:
 
 
 class TestFilter:
-    def test_states_elements_and_numbers_combine(self, window, hand, qtbot):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        hand.key(Qt.Key.Key_Return, CTRL)
-        window.services.navigator.go_to(1)
-        hand.draw(TOP, (100, 100), (200, 200))
+    @pytest.fixture
+    def frames(self, services, show) -> FramesPanel:
+        return show(FramesPanel(services))
+
+    def test_states_elements_and_numbers_combine(self, frames, services, qtbot):
+        draw(services, MIDDLE)
+        services.editing.commit_frame()
+        services.navigator.go_to(1)
+        draw(services, TOP)
         for text, expected in (
             ("state:done", ["frame_0"]),
             ("-state:done", ["frame_1", "frame_2"]),
@@ -144,57 +165,56 @@ class TestFilter:
             ("frame_2", ["frame_2"]),
             ("state:", ["frame_0", "frame_1", "frame_2"]),
         ):
-            window.frames.filter.setText(text)
-            qtbot.waitUntil(lambda expected=expected: rows(window) == expected)
+            frames.filter.setText(text)
+            qtbot.waitUntil(lambda expected=expected: rows(frames) == expected)
 
-    def test_a_mistake_is_explained_and_hides_nothing(self, window):
-        window.frames.filter.setText("staet:done")
-        assert "state" in window.frames.problem.text()
-        assert window.frames.problem.isVisible()
-        assert len(rows(window)) == 3
-        window.frames.filter.setText("")
-        assert not window.frames.problem.isVisible()
+    def test_a_mistake_is_explained_and_hides_nothing(self, frames, services):
+        frames.filter.setText("staet:done")
+        assert "state" in frames.problem.text()
+        assert frames.problem.isVisible()
+        assert len(rows(frames)) == 3
+        frames.filter.setText("")
+        assert not frames.problem.isVisible()
 
-    def test_a_new_status_changes_what_is_shown(self, window, hand, qtbot):
-        window.frames.filter.setText("-state:done")
-        hand.key(Qt.Key.Key_Return, CTRL)
-        qtbot.waitUntil(lambda: rows(window) == ["frame_1", "frame_2"])
+    def test_a_new_status_changes_what_is_shown(self, frames, services, qtbot):
+        frames.filter.setText("-state:done")
+        services.editing.commit_frame()
+        qtbot.waitUntil(lambda: rows(frames) == ["frame_1", "frame_2"])
 
 
 class TestVersions:
-    def test_every_save_is_a_version_and_one_can_be_brought_back(self, window, hand, dataset):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
+    def test_every_save_is_a_version_and_one_can_be_brought_back(self, services, dataset):
+        draw(services, MIDDLE)
         first = (dataset / "frame_0.json").read_bytes()
-        hand.draw(TOP, (100, 50), (200, 50))
-        database = window.services.review.database
+        draw(services, TOP)
+        database = services.review.database
         versions = database.versions("frame_0")
-        assert [v.reason for v in versions] == ["draw Far touchline", "draw Halfway line"]
-        apply_version(window.services, versions[-1].id)
-        assert window.services.state.annotation.annotated == (MIDDLE,)
-        until_kept()
+        assert [v.reason for v in versions] == [f"draw {TOP}", f"draw {MIDDLE}"]
+        apply_version(services, versions[-1].id)
+        assert services.state.annotation.annotated == (MIDDLE,)
+        services.saver.settle()
         assert (dataset / "frame_0.json").read_bytes() == first
-        window.services.editing.undo()
-        assert window.services.state.annotation.annotated == (MIDDLE, TOP)
+        services.editing.undo()
+        assert services.state.annotation.annotated == (MIDDLE, TOP)
 
     def test_what_was_there_before_the_first_edit_is_a_version_too(
-        self, make_window, dataset, hand_on
+        self, open_services, dataset, hand_on
     ):
         found = b'{"Circle left": [{"x": 0.5, "y": 0.5}]}'
         (dataset / "frame_0.json").write_bytes(found)
-        window = make_window(dataset)
-        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
-        database = window.services.review.database
+        services = open_services(dataset)
+        draw(services, MIDDLE)
+        database = services.review.database
         assert database.version_data(database.versions("frame_0")[-1].id) == found
 
 
 class TestProvenance:
-    def test_it_is_exported_point_by_point(self, window, hand, tmp_path, qtbot):
-        window.services.set_author("Ada")
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        hand.key(Qt.Key.Key_W)
-        hand.drag((200, 200), (240, 260))
+    def test_it_is_exported_point_by_point(self, widget, services, tmp_path, qtbot):
+        services.set_author("Ada")
+        draw(services, MIDDLE)
+        move(services, 1)
         target = tmp_path / "provenance.json"
-        window.exporter.write_provenance(target)
+        Exporter(services, widget).write_provenance(target)
         qtbot.waitUntil(target.exists)
         points = json.loads(target.read_text())["frames"]["frame_0"][MIDDLE]
         assert [(kind, author) for kind, author, _ in points] == [
@@ -202,11 +222,9 @@ class TestProvenance:
             ("moved", "Ada"),
         ]
 
-    def test_undo_gives_a_point_its_origin_back(self, window, hand):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        hand.key(Qt.Key.Key_W)
-        hand.drag((200, 200), (240, 260))
-        services = window.services
+    def test_undo_gives_a_point_its_origin_back(self, services):
+        draw(services, MIDDLE)
+        move(services, 1)
         assert services.review.origin_counts("frame_0", services.state.annotation) == {
             OriginKind.CLICKED: 1,
             OriginKind.MOVED: 1,
@@ -225,46 +243,50 @@ class TestProvenance:
 
 class TestTime:
     def test_the_panel_and_the_overview_count_the_time_of_the_frame_under_way(
-        self, window, hand, monkeypatch, qtbot
+        self, panel, services, monkeypatch, qtbot
     ):
-        services, now = window.services, [1000.0]
+        now = [1000.0]
         monkeypatch.setattr("procc_annotator.gui.state.review_state.monotonic", lambda: now[0])
         services.navigator.go_to(1)
         now[0] += 12.0
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        hand.key(Qt.Key.Key_Return, CTRL)
+        draw(services, MIDDLE)
+        services.editing.commit_frame()
         name = services.state.frame.name if services.state.frame is not None else ""
         assert services.review.record(name).seconds == 12.0
-        window.panels.show("review")
-        qtbot.waitUntil(lambda: window.review.time.text() == "12 s")
+        qtbot.waitUntil(lambda: panel.time.text() == "12 s")
 
 
 class TestOverview:
-    def test_it_counts_statuses_classes_and_time(self, window, hand):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        hand.key(Qt.Key.Key_Return, CTRL)
-        services = window.services
+    def test_it_counts_statuses_classes_and_time(self, services):
+        draw(services, MIDDLE)
+        services.editing.commit_frame()
         assert services.state.workspace is not None
         workspace, database = services.state.workspace, services.review.database
         found = overview_rows(workspace, database, {}, lambda *_: None)
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
 
-    def test_an_unreadable_frame_has_a_row_too(self, dataset, make_window, tmp_path, qtbot):
+    def test_an_unreadable_frame_has_a_row_too(
+        self, widget, dataset, open_services, tmp_path, qtbot
+    ):
         (dataset / "frame_1.json").write_text("{")
         target = tmp_path / "overview.csv"
-        make_window(dataset).exporter.write_overview(target)
+        Exporter(open_services(dataset), widget).write_overview(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
-    def test_a_file_that_cannot_be_written_is_one_message(self, window, tmp_path, qtbot):
+    def test_a_file_that_cannot_be_written_is_one_message(self, widget, services, tmp_path, qtbot):
         target = tmp_path / "gone" / "overview.csv"
-        said = window.services.store.events.message
+        said = services.store.events.message
         with qtbot.waitSignal(said, check_params_cb=lambda m: str(target) in m.text):
-            window.exporter.write_overview(target)
+            Exporter(services, widget).write_overview(target)
 
 
 class TestSecondAnnotator:
+    @pytest.fixture
+    def panel(self, services, show) -> AgreementPanel:
+        return show(AgreementPanel(services))
+
     @pytest.fixture
     def other(self, tmp_path) -> Path:
         folder = tmp_path / "other"
@@ -287,64 +309,57 @@ class TestSecondAnnotator:
         second = [s for s in window.canvas.overlay_item.overlay.strokes if s.layer == "second"]
         assert len(second[0].segments) == 2
 
-    def test_clicks_beyond_and_elements_apart_are_told(self, window, hand, tmp_path, qtbot):
-        hand.draw(MIDDLE, (100, 100), (200, 100))
-        hand.draw(TOP, (200, 200), (400, 200))
+    def test_clicks_beyond_and_elements_apart_are_told(self, panel, services, tmp_path, qtbot):
+        draw(services, MIDDLE, *px((100, 100), (200, 100)))
+        draw(services, TOP, *px((200, 200), (400, 200)))
         folder = write_other(
             tmp_path, frame_0={MIDDLE: [(100, 103), (300, 103)], TOP: [(400, 200), (500, 100)]}
         )
-        window.panels.show("agreement")
-        window.services.second_annotator.open(folder)
-        table = window.agreement.table
+        services.second_annotator.open(folder)
+        table = panel.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 2)
         cells = [[table.model().index(row, column).data() for column in range(4)] for row in (0, 1)]
         assert cells[0] == ["Far touchline", "apart", "apart", "0 of 4"]
         assert cells[1][0] == "Halfway line"
         assert cells[1][3] == "3 of 4"
         assert "1 left out" in table.model().index(1, 3).data(Qt.ItemDataRole.ToolTipRole)
-        text = window.agreement.frame.text()
+        text = panel.frame.text()
         assert "JaC at 5 px: 0.500" in text
         assert "Apart: Far touchline" in text
         assert "1 click beyond" in text
 
-    def test_a_file_that_cannot_be_read_is_told(self, window, hand, tmp_path, qtbot):
-        hand.draw(MIDDLE, (100, 100), (200, 100))
+    def test_a_file_that_cannot_be_read_is_told(self, panel, services, tmp_path, qtbot):
+        draw(services, MIDDLE, *px((100, 100), (200, 100)))
         folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
         (folder / "frame_1.json").write_text("{")
-        window.panels.show("agreement")
-        window.services.second_annotator.open(folder)
-        panel = window.agreement
+        services.second_annotator.open(folder)
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
         assert "Human noise over 1 frame:" in panel.noise.text()
         assert "frame_1.json" in panel.noise.toolTip()
-        window.services.navigator.go_to(1)
+        services.navigator.go_to(1)
         qtbot.waitUntil(lambda: "unreadable" in panel.frame.text())
         assert "frame_1.json" in panel.frame.text()
-        window.services.navigator.go_to(2)
+        services.navigator.go_to(2)
         qtbot.waitUntil(lambda: "has nothing for this frame" in panel.frame.text())
-        window.services.navigator.go_to(0)
+        services.navigator.go_to(0)
         qtbot.waitUntil(lambda: "JaC" in panel.frame.text())
 
-    @pytest.mark.new_window  # its panel is not in it any more afterwards
-    def test_the_table_fits_a_narrow_panel(self, window, hand, other, qtbot):
-        hand.draw(MIDDLE, (100, 103), (120, 103))
-        panel = window.agreement
-        window.services.second_annotator.open(other)
-        window.panels.show("agreement")
+    def test_the_table_fits_a_narrow_panel(self, panel, services, other, qtbot):
+        draw(services, MIDDLE, *px((100, 103), (120, 103)))
+        services.second_annotator.open(other)
         all_done(qtbot)
         table = panel.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
         assert panel.minimumSizeHint().width() <= 290
-        panel.setParent(None)  # out of its dock, to be as narrow as a dock may be
         panel.resize(290, 500)
-        panel.show()
         qtbot.waitUntil(lambda: table.viewport().width() < 290)
         assert not table.horizontalScrollBar().isVisible()
         assert table.columnWidth(0) >= 70
-        panel.close()
 
-    def test_any_format_is_read_with_the_labels_of_its_folder(self, window, hand, tmp_path, qtbot):
-        hand.draw(MIDDLE, (100, 100), (200, 100))
+    def test_any_format_is_read_with_the_labels_of_its_folder(
+        self, panel, services, tmp_path, qtbot
+    ):
+        draw(services, MIDDLE, *px((100, 100), (200, 100)))
         folder = tmp_path / "theirs"
         folder.mkdir()
         shape = {
@@ -357,67 +372,73 @@ class TestSecondAnnotator:
         file.write_text(json.dumps({"version": "5.0", "shapes": [shape], **size}))
         before = file.read_bytes()
         (folder / "labels.toml").write_text(f'[labels]\n"centre" = "{MIDDLE}"\n')
-        window.services.second_annotator.open(folder)
-        assert not window.services.second_annotator.is_open  # it is read in the background
+        told = heard(services)
+        services.second_annotator.open(folder)
+        assert not services.second_annotator.is_open  # it is read in the background
         all_done(qtbot)
-        table = window.agreement.table
+        table = panel.table
         assert table.model().rowCount() == 1
         assert table.model().index(0, 0).data() == "Halfway line"
-        assert "read as labelme" in window.status.hint.text_for(2000)
-        assert window.services.state.noise_floor is not None
+        assert "read as labelme" in told[-1]
+        assert services.state.noise_floor is not None
         assert file.read_bytes() == before
 
-    def test_closing_it_takes_everything_away(self, window, hand, other, qtbot):
-        hand.draw(MIDDLE, (100, 103), (200, 103))
-        window.services.second_annotator.open(other)
-        qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
-        window.services.second_annotator.close()
-        qtbot.waitUntil(lambda: window.services.state.noise_floor is None)
-        assert window.services.second_annotator.annotation is None
+    def test_closing_it_takes_everything_away(self, panel, services, other, qtbot):
+        draw(services, MIDDLE, *px((100, 103), (200, 103)))
+        services.second_annotator.open(other)
+        qtbot.waitUntil(lambda: services.state.noise_floor is not None)
+        services.second_annotator.close()
+        qtbot.waitUntil(lambda: services.state.noise_floor is None)
+        assert services.second_annotator.annotation is None
 
-    def test_a_folder_without_annotations_is_one_message(self, window, tmp_path, qtbot):
+    def test_a_folder_without_annotations_is_one_message(self, panel, services, tmp_path, qtbot):
         empty = tmp_path / "empty"
         empty.mkdir()
-        window.services.second_annotator.open(empty)
+        told = heard(services)
+        services.second_annotator.open(empty)
         all_done(qtbot)
-        assert "no annotation" in window.message_bar.label.text()
+        assert "no annotation" in told[-1]
         (empty / "match_info.json").write_text('{"match": "BRA-GER"}')
-        window.services.second_annotator.open(empty)
+        services.second_annotator.open(empty)
         all_done(qtbot)
-        assert "match_info.json holds no list of points" in window.message_bar.label.text()
+        assert "match_info.json holds no list of points" in told[-1]
 
 
 class TestDatabase:
-    def test_a_damaged_one_is_set_aside_and_restored(self, window, hand, dataset, make_window):
-        hand.draw(MIDDLE, (100, 100), (200, 200))
-        window.close()
+    def test_a_damaged_one_is_set_aside_and_restored(self, services, dataset, open_services):
+        draw(services, MIDDLE)
+        services.close()
         (dataset / ".procc" / "workspace.db").write_bytes(b"not a database at all" * 50)
-        again = make_window(dataset)
-        assert again.services.state.annotation.annotated == (MIDDLE,)
-        assert "restored from the backup of 20" in again.message_bar.label.text()
+        again = open_services()
+        told = heard(again)
+        assert again.opening.open_path(dataset)
+        assert again.state.annotation.annotated == (MIDDLE,)
+        assert "restored from the backup of 20" in told[-1]
         assert status(again) is Status.IN_PROGRESS
         (dataset / ".procc" / "workspace.db").write_bytes(b"")  # while the window has it open
-        again.services.review.set_status("frame_1", Status.DONE)
-        assert again.services.review.database.flush(20)
-        again.services.review.poll()
-        assert "damaged-2; restored from" in again.message_bar.label.text()
+        again.review.set_status("frame_1", Status.DONE)
+        assert again.review.database.flush(20)
+        again.review.poll()
+        assert "damaged-2; restored from" in told[-1]
         assert [status(again, i) for i in (0, 1)] == [Status.IN_PROGRESS, Status.DONE]
 
-    def test_a_foreign_one_is_not_touched(self, dataset, make_window, hand_on):
+    def test_a_foreign_one_is_not_touched(self, dataset, open_services):
         (dataset / ".procc").mkdir()
         with sqlite3.connect(dataset / ".procc" / "workspace.db") as foreign:
             foreign.execute("CREATE TABLE theirs(x)")
         foreign.close()
-        window = make_window(dataset)
-        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
-        assert status(window) is Status.IN_PROGRESS
+        services = open_services(dataset)
+        draw(services, MIDDLE)
+        assert status(services) is Status.IN_PROGRESS
         kept = [p for p in (dataset / ".procc").iterdir() if p.name.startswith("workspace.db.")]
         assert kept
 
 
-def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(window, qtbot, monkeypatch):
+def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
+    services, show, qtbot, monkeypatch
+):
     """What was queued before (the time on the frame) goes to the disk first."""
-    window.panels.show("review")
+    show(ReviewPanel(services))
     all_done(qtbot)
     asked: list[str] = []
     ask = WorkspaceDatabase._ask_origins
@@ -427,7 +448,7 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(window, qt
         return ask(self, frame)
 
     monkeypatch.setattr(WorkspaceDatabase, "_ask_origins", watched)
-    window.services.navigator.go_to(1)
+    services.navigator.go_to(1)
     all_done(qtbot)
     assert "frame_1" not in asked  # it was asked for while frame_0 was on screen
-    assert "frame_1" in window.services.review._origins
+    assert "frame_1" in services.review._origins

@@ -11,7 +11,7 @@ from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.messages import say
-from tests.gui.conftest import heard, until_kept
+from tests.gui.conftest import heard
 
 MIDDLE = "Middle line"
 
@@ -37,7 +37,11 @@ def disk(monkeypatch) -> Disk:
 
 def test_a_finished_edit_is_on_disk_before_anything_else_happens(window, hand, saved):
     assert window.top_bar.saved.text() == "no changes"
-    hand.draw(MIDDLE, (100, 50), (120, 200))
+    window.services.selection.select_class(MIDDLE)
+    hand.click(100, 50)
+    hand.click(120, 200)
+    hand.key(Qt.Key.Key_Return)
+    assert window.top_bar.saved.text() == "saving..."
     assert len(saved()) == 2
     assert window.top_bar.saved.text().startswith("saved ")
     assert not window.isWindowModified()
@@ -74,17 +78,6 @@ def test_what_is_not_saved_stays_in_sight_when_more_fails(window, hand, disk):
     hand.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     assert window.message_bar.label.text() == "workspace.db: cannot be written"
     assert window.message_bar.isVisible()
-
-
-def test_a_frame_left_unsaved_is_saved_later_from_another_frame(window, hand, disk, saved):
-    disk.full = True
-    hand.draw(MIDDLE, (100, 50), (120, 200))
-    hand.key(Qt.Key.Key_D)
-    assert window.isWindowModified()
-    disk.full = False
-    hand.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
-    assert not window.isWindowModified()
-    assert len(saved()) == 2
 
 
 @pytest.mark.parametrize("mine", [True, False])
@@ -131,48 +124,3 @@ def test_closing_with_unsaved_work_asks_first(window, hand, disk, monkeypatch, l
     assert window.close() is leave
     assert len(asked) == 1
     assert "No space left" in asked[0][0]
-
-
-def test_what_a_decision_overwrites_stays_a_version(window, hand, dataset):
-    hand.draw(MIDDLE, (100, 50), (120, 200))
-    theirs = json.dumps({"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]})
-    (dataset / "frame_0.json").write_text(theirs)
-    hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.conflict_bar.overwrite_button.click()
-    database = window.services.review.database
-    newest, before, *_ = database.versions("frame_0")
-    assert database.version_data(before.id) == theirs.encode()
-    assert database.version_data(newest.id) == (dataset / "frame_0.json").read_bytes()
-
-
-def test_undo_to_what_was_saved_last_decides_no_conflict(window, hand, dataset, saved):
-    hand.draw(MIDDLE, (100, 50), (120, 200))
-    file = dataset / "frame_0.json"
-    mine = file.read_bytes()
-    file.write_text('{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}')
-    hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.services.editing.undo()
-    assert window.services.state.annotation.annotated == (MIDDLE,)
-    assert window.conflict_bar.isVisible()  # the file is another one
-    assert "NOT SAVED" in window.top_bar.saved.text()
-    window.services.editing.redo()
-    until_kept()
-    file.write_bytes(mine)  # whoever changed it took that back
-    window.services.editing.undo()
-    until_kept()
-    assert not window.conflict_bar.isVisible()
-    assert window.top_bar.saved.text().startswith("saved ")
-
-
-def test_a_newer_file_that_is_read_leaves_no_conflict_behind(window, hand, dataset):
-    hand.draw(MIDDLE, (100, 50), (120, 200))
-    theirs = '{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}'
-    (dataset / "frame_0.json").write_text(theirs)
-    hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.services.editing.undo()
-    hand.key(Qt.Key.Key_D)
-    hand.key(Qt.Key.Key_A)
-    assert window.services.editing.begin_edit()  # the frame was let go of: its file is read again
-    assert window.services.state.annotation.annotated == ("Side line top",)
-    assert not window.conflict_bar.isVisible()
-    assert not window.isWindowModified()

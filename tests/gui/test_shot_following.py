@@ -107,13 +107,13 @@ def press(window: MainWindow, key: Qt.Key, modifiers: Any = Qt.KeyboardModifier.
 def follow(window: MainWindow, qtbot: QtBot) -> None:
     press(window, Key.Key_T)
     assert window.shot_following.running
-    qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.shot_following.running)
     all_done(qtbot)
 
 
 def accept(window: MainWindow, qtbot: QtBot) -> None:
     press(window, Key.Key_Return, CTRL | SHIFT)
-    qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running)
     all_done(qtbot)
 
 
@@ -165,7 +165,7 @@ class TestFollowing:
 
         monkeypatch.setattr(shot_following, "track_shot", slow)
         press(window, Key.Key_T)
-        qtbot.waitUntil(lambda: 8 in window.services.shot_track.tracked, timeout=60_000)
+        qtbot.waitUntil(lambda: 8 in window.services.shot_track.tracked)
         assert window.shot_following.words().startswith("following: ")
         assert not np.isnan(window.strip.content.band.coverage[8])
 
@@ -256,8 +256,8 @@ class TestFollowing:
         services.selection.set_mode("draw")
 
         services.navigator.go_to(2)
-        qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
-        qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
+        qtbot.waitUntil(lambda: bool(asked))
+        qtbot.waitUntil(lambda: not window.shot_following.running)
 
         assert asked == [(range(COUNT // 2), [5])]
         assert services.shot_track.tracked[5].state == "anchor"
@@ -412,7 +412,7 @@ class TestAccepting:
             once.setattr(edits, "_batch_saved", late)
             accept(window, qtbot)
         window.actions_["take_back_stretch"].trigger()
-        qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running)
         all_done(qtbot)
 
         assert "Goal left crossbar" in services.state.annotation.annotated
@@ -431,7 +431,7 @@ class TestAccepting:
         assert window.stretch_accepting.running
         window.services.blind_lock.set_blind(True)
         going.set()
-        qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running)
         all_done(qtbot)
 
         assert files(video) == []

@@ -7,27 +7,28 @@ from typing import TypeVar
 import pytest
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
+from PySide6.QtWidgets import QLabel, QTabBar, QToolButton, QWidget
 
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.camera_sources import SourceRow
+from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.services import Services
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
-from tests.gui.conftest import settle
+from tests.gui.conftest import draw, heard, settle
 
 Found = TypeVar("Found", bound=QObject)
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 
 
-def jac_here(window: MainWindow, name: str) -> float:
+def jac_here(services: Services, name: str) -> float:
     """The JaC that the metric's own functions give the frame on screen under a set of cameras."""
-    services = window.services
     path = next(
         s.path for s in [look.cameras for look in services.state.looks] if s.path.name == name
     )
@@ -37,88 +38,84 @@ def jac_here(window: MainWindow, name: str) -> float:
     ).jac
 
 
-def source(window: MainWindow, name: str) -> CameraSource:
-    return next(s for s in window.services.state.sources if s.name == name)
+def source(services: Services, name: str) -> CameraSource:
+    return next(s for s in services.state.sources if s.name == name)
+
+
+@pytest.fixture
+def services(scored) -> Services:
+    return scored
 
 
 class TestAudits:
-    def test_every_source_is_audited_whichever_is_active(self, audited):
-        services = audited.services
+    def test_every_source_is_audited_whichever_is_active(self, services):
         frame = services.state.frame.name
         for name in ("true", "bad"):
-            audits = source(audited, name).audits
+            audits = source(services, name).audits
             assert audits[frame].jac_at(services.state.tau) == pytest.approx(
-                jac_here(audited, name), abs=1e-6
+                jac_here(services, name), abs=1e-6
             )
-        assert len(source(audited, "true").audits) > len(source(audited, "bad").audits) > 0
+        assert len(source(services, "true").audits) > len(source(services, "bad").audits) > 0
 
-    def test_the_mean_is_that_of_the_frames_at_any_threshold(self, audited):
-        bad = source(audited, "bad")
+    def test_the_mean_is_that_of_the_frames_at_any_threshold(self, services):
+        bad = source(services, "bad")
         for tau in (2.0, 5.0, 17.3):
             values = [audit.jac_at(tau) for audit in bad.audits.values()]
             assert bad.mean_jac(tau) == pytest.approx(sum(values) / len(values), abs=1e-9)
         assert bad.mean_jac(2.0) < bad.mean_jac(20.0)
 
-    def test_switching_computes_nothing_of_the_set_anew(self, audited, qtbot):
-        services = audited.services
-        before = dict(source(audited, "bad").audits)
+    def test_switching_computes_nothing_of_the_set_anew(self, services, qtbot):
+        before = dict(source(services, "bad").audits)
         services.camera_sources.set_active_camera(1)
         assert not services.scoring.running
-        assert source(audited, "bad").audits == before
+        assert source(services, "bad").audits == before
         assert dict(services.scoring.frame_scores) == {
             name: audit.jac_at(services.state.tau) for name, audit in before.items()
         }
 
-    def test_an_edit_is_audited_under_every_source(self, audited, hand_on, qtbot):
-        services = audited.services
+    def test_an_edit_is_audited_under_every_source(self, services, qtbot):
         frame = services.state.frame.name
         before = {s.name: s.audits[frame] for s in services.state.sources if frame in s.audits}
         told: list[object] = []
         services.store.events.sourceAuditsChanged.connect(told.append)
-        services.selection.select_class("Circle central")
-        hand = hand_on(audited)
-        for point in ((100.0, 600.0), (180.0, 620.0), (300.0, 640.0)):
-            hand.click(*point)
-        audited.canvas.key("Enter")
-        bad = source(audited, "bad")
+        draw(services, "Circle central", (0.08, 0.83), (0.14, 0.86), (0.23, 0.89))
+        bad = source(services, "bad")
         qtbot.waitUntil(lambda: services.state.active.audits[frame] is not before["true"])
         qtbot.waitUntil(lambda: bad.audits[frame] is not before["bad"])
         for name in ("true", "bad"):
-            assert source(audited, name).audits[frame].jac_at(services.state.tau) == pytest.approx(
-                jac_here(audited, name), abs=1e-6
+            assert source(services, name).audits[frame].jac_at(services.state.tau) == pytest.approx(
+                jac_here(services, name), abs=1e-6
             )
         assert {services.state.active, bad} <= set(told)
 
-    def test_terms_apply_to_every_source(self, audited, qtbot):
-        services = audited.services
+    def test_terms_apply_to_every_source(self, services, qtbot):
         services.evaluation.set_protocol("procc")
-        settle(audited, qtbot)
+        settle(services, qtbot)
         for name in ("true", "bad"):
-            assert source(audited, name).audits[services.state.frame.name].jac_at(
+            assert source(services, name).audits[services.state.frame.name].jac_at(
                 services.state.tau
-            ) == pytest.approx(jac_here(audited, name), abs=1e-6)
+            ) == pytest.approx(jac_here(services, name), abs=1e-6)
 
-    def test_a_damaged_camera_is_known_by_its_frame(self, make_window, annotated, qtbot):
+    def test_a_damaged_camera_is_known_by_its_frame(self, open_services, annotated, qtbot):
         (annotated / "cameras" / "bad" / "camera_00003.json").write_text("{")
-        window = make_window(annotated)
-        window.services.live_fit.set_wanted(False)
-        window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
-        settle(window, qtbot)
-        (bad,) = window.services.state.sources
+        services = open_services(annotated)
+        services.live_fit.set_wanted(False)
+        services.camera_sources.load_cameras(annotated / "cameras" / "bad")
+        settle(services, qtbot)
+        (bad,) = services.state.sources
         assert list(bad.problems) == ["00003"]
         assert "camera_00003.json" in bad.problems["00003"]
         assert "00002" in bad.audits
 
 
-def child(window: MainWindow, kind: type[Found], name: str) -> Found:
-    found = window.findChild(kind, name)
+def child(parent: QWidget, kind: type[Found], name: str) -> Found:
+    found = parent.findChild(kind, name)
     assert found is not None, name
     return found
 
 
-def mean_jac(window: MainWindow, name: str, tau: float) -> float:
+def mean_jac(services: Services, name: str, tau: float) -> float:
     """The mean of what the metric's own functions give every frame that has both."""
-    services = window.services
     cameras = CameraSet.open(
         next(s.path for s in [look.cameras for look in services.state.looks] if s.path.name == name)
     )
@@ -132,29 +129,29 @@ def mean_jac(window: MainWindow, name: str, tau: float) -> float:
 
 
 class TestRows:
-    @pytest.fixture(autouse=True)
-    def panel(self, audited, qtbot) -> None:
-        audited.panels.show("cameras")
-        qtbot.waitUntil(lambda: "JaC" in child(audited, QLabel, "cameras_jac_2").text())
+    @pytest.fixture
+    def panel(self, services, show, qtbot) -> CamerasPanel:
+        panel = show(CamerasPanel(services))
+        qtbot.waitUntil(lambda: "JaC" in child(panel, QLabel, "cameras_jac_2").text())
+        return panel
 
-    def test_a_row_says_how_its_source_does(self, audited, qtbot):
+    def test_a_row_says_how_its_source_does(self, services, qtbot, panel):
         for index, name in enumerate(("true", "bad", "pinhole")):
-            expected = f"JaC {mean_jac(audited, name, 5.0):.3f}"
-            label = child(audited, QLabel, f"cameras_jac_{index}")
+            expected = f"JaC {mean_jac(services, name, 5.0):.3f}"
+            label = child(panel, QLabel, f"cameras_jac_{index}")
             qtbot.waitUntil(lambda label=label, text=expected: label.text() == text)
-        assert child(audited, QLabel, "cameras_matched_1").text() == "5 of 6 (83 %)"
-        assert child(audited, ElidedLabel, "cameras_model_1").text() == "pinhole P"
-        audited.services.evaluation.set_tau(12.0)
-        expected = f"JaC {mean_jac(audited, 'bad', 12.0):.3f}"
-        assert expected != f"JaC {mean_jac(audited, 'bad', 5.0):.3f}"
-        qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
-        assert not audited.services.scoring.running  # nothing was computed for it
+        assert child(panel, QLabel, "cameras_matched_1").text() == "5 of 6 (83 %)"
+        assert child(panel, ElidedLabel, "cameras_model_1").text() == "pinhole P"
+        services.evaluation.set_tau(12.0)
+        expected = f"JaC {mean_jac(services, 'bad', 12.0):.3f}"
+        assert expected != f"JaC {mean_jac(services, 'bad', 5.0):.3f}"
+        qtbot.waitUntil(lambda: child(panel, QLabel, "cameras_jac_1").text() == expected)
+        assert not services.scoring.running  # nothing was computed for it
 
-    def test_rows_keep_their_height_where_the_panel_is_low(self, audited, annotated, qtbot):
-        assert audited.services.camera_sources.load_cameras(annotated / "cameras" / "homography")
-        audited.services.camera_sources.set_active_camera(0)
-        settle(audited, qtbot)
-        panel = audited.cameras
+    def test_rows_keep_their_height_where_the_panel_is_low(self, services, annotated, qtbot, panel):
+        assert services.camera_sources.load_cameras(annotated / "cameras" / "homography")
+        services.camera_sources.set_active_camera(0)
+        settle(services, qtbot)
         qtbot.waitUntil(lambda: len(panel.list.rows) == 4)
         panel.setMaximumHeight(220)
         qtbot.waitUntil(lambda: panel.height() <= 220)
@@ -162,21 +159,19 @@ class TestRows:
             lambda: all(row.height() >= row.minimumSizeHint().height() for row in panel.list.rows)
         )
 
-    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, audited):
-        row = child(audited, SourceRow, "cameras_row_1")
+    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, services, panel):
+        row = child(panel, SourceRow, "cameras_row_1")
         at = row.jac.mapTo(row, row.jac.rect().center())
         QTest.mouseClick(row, Qt.MouseButton.LeftButton, pos=at)
-        assert audited.services.state.active.name == "bad"
-        assert audited.top_bar.camera_bar.cameras.currentText() == "bad"
+        assert services.state.active.name == "bad"
 
-    def test_a_double_click_lets_the_name_be_typed(self, audited, qtbot):
-        audited.panels.show("cameras")
-        row = audited.cameras.list.rows[1]  # not one that is about to be deleted
+    def test_a_double_click_lets_the_name_be_typed(self, services, qtbot, panel):
+        row = panel.list.rows[1]  # not one that is about to be deleted
         QTest.mouseDClick(row.radio, Qt.MouseButton.LeftButton)
         assert row.edit.isVisible()
         QTest.keyClicks(row.edit, "TV  X")
         QTest.keyClick(row.edit, Qt.Key.Key_Return)
-        assert [s.name for s in audited.services.state.sources] == ["true", "TV X", "pinhole"]
+        assert [s.name for s in services.state.sources] == ["true", "TV X", "pinhole"]
         qtbot.waitUntil(lambda: row.radio.text() == "TV X")
         assert not row.edit.isVisible()
         QTest.keyClick(row.radio, Qt.Key.Key_F2)
@@ -184,40 +179,37 @@ class TestRows:
         QTest.keyClick(row.edit, Qt.Key.Key_Escape)
         assert row.radio.text() == "TV X"
 
-    def test_no_two_sources_have_the_same_name(self, audited):
-        services = audited.services
+    def test_no_two_sources_have_the_same_name(self, services):
         services.camera_sources.rename_source(services.state.sources[1], "true")
         assert services.state.sources[1].name == "true (2)"
 
-    def test_another_colour_is_that_of_the_wireframe_too(self, audited):
-        row = child(audited, SourceRow, "cameras_row_1")
+    def test_another_colour_can_be_chosen(self, services, panel):
+        row = child(panel, SourceRow, "cameras_row_1")
         navy = row.colour.menu().actions()[4]
         assert navy.text() == "Navy"
         navy.trigger()
-        assert audited.services.state.sources[1].colour == SOURCE_COLOURS[4]
-        colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
-        assert SOURCE_COLOURS[4] in colours
+        assert services.state.sources[1].colour == SOURCE_COLOURS[4]
 
-    def test_a_source_without_camera_here_says_so(self, audited, qtbot):
-        audited.services.navigator.go_to(3)  # bad has none of 00004
-        note = child(audited, QLabel, "cameras_problem_1")
+    def test_a_source_without_camera_here_says_so(self, services, qtbot, panel):
+        services.navigator.go_to(3)  # bad has none of 00004
+        note = child(panel, QLabel, "cameras_problem_1")
         qtbot.waitUntil(lambda: "no camera for this frame" in note.text())
-        assert not child(audited, QLabel, "cameras_problem_2").isVisible()
+        assert not child(panel, QLabel, "cameras_problem_2").isVisible()
 
-    def test_a_source_whose_file_is_damaged_says_where(self, audited, annotated, qtbot):
+    def test_a_source_whose_file_is_damaged_says_where(self, services, annotated, qtbot, panel):
         (annotated / "cameras" / "homography" / "00006.homographyMatrix").write_text("1 2")
-        audited.services.camera_sources.load_cameras(annotated / "cameras" / "homography")
-        audited.services.camera_sources.set_active_camera(0)
-        audited.services.navigator.go_to(5)
-        qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 4)
-        note = child(audited, QLabel, "cameras_problem_3")
+        services.camera_sources.load_cameras(annotated / "cameras" / "homography")
+        services.camera_sources.set_active_camera(0)
+        services.navigator.go_to(5)
+        qtbot.waitUntil(lambda: len(panel.list.rows) == 4)
+        note = child(panel, QLabel, "cameras_problem_3")
         qtbot.waitUntil(lambda: "00006.homographyMatrix" in note.text())
 
-    def test_a_removed_source_takes_its_row_along(self, audited, qtbot):
-        child(audited, QToolButton, "cameras_remove_1").click()
-        assert [s.name for s in audited.services.state.sources] == ["true", "pinhole"]
-        qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 2)
-        assert audited.services.state.active.name == "true"
+    def test_a_removed_source_takes_its_row_along(self, services, qtbot, panel):
+        child(panel, QToolButton, "cameras_remove_1").click()
+        assert [s.name for s in services.state.sources] == ["true", "pinhole"]
+        qtbot.waitUntil(lambda: len(panel.list.rows) == 2)
+        assert services.state.active.name == "true"
 
 
 class TestKeys:
@@ -231,8 +223,7 @@ class TestKeys:
 
 
 class TestCompared:
-    def test_it_is_the_one_active_before_unless_one_is_chosen(self, audited):
-        services = audited.services
+    def test_it_is_the_one_active_before_unless_one_is_chosen(self, services):
         true, bad, pinhole = services.state.sources
         services.camera_sources.set_active_camera(2)
         assert services.state.compared is true
@@ -260,7 +251,7 @@ class TestMemory:
         found = [(s.name, s.colour, s.visible) for s in again.services.state.sources]
         assert found == [(s.name, s.colour, s.visible) for s in services.state.sources]
         assert again.services.state.active.name == "worse"
-        settle(again, qtbot)
+        settle(again.services, qtbot)
         assert again.services.state.active.audits
 
     def test_what_is_not_there_any_more_is_told(self, audited, annotated, make_window, qtbot):
@@ -307,14 +298,13 @@ class TestMemory:
         assert window.services.state.sources == ()
         assert window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
 
-    def test_loading_the_same_again_reads_the_files_anew(self, audited, annotated, qtbot):
-        services = audited.services
-        bad = source(audited, "bad")
+    def test_loading_the_same_again_reads_the_files_anew(self, services, annotated, qtbot):
+        bad = source(services, "bad")
         before = bad.mean_jac(5.0)
         for path in (annotated / "cameras" / "bad").glob("*.json"):
             shutil.copy(annotated / "cameras" / "true" / path.name, path)
         services.camera_sources.load_cameras(annotated / "cameras" / "bad")
-        settle(audited, qtbot)
+        settle(services, qtbot)
         assert len(services.state.sources) == 3
         assert services.state.active is bad
         assert bad.mean_jac(5.0) > before
@@ -332,7 +322,7 @@ class TestUnreadable:
         for name in ("true", "bad"):
             assert window.services.camera_sources.load_cameras(folder.parent / name)
         window.services.navigator.go_to(1)
-        settle(window, qtbot)
+        settle(window.services, qtbot)
         return window
 
     def test_the_row_counts_and_names_them(self, damaged, qtbot):
@@ -379,19 +369,19 @@ class TestUnreadable:
         qtbot.waitUntil(lambda: len(shown()) == 6)
 
 
-def test_cameras_of_no_frame_are_told(make_window, annotated):
+def test_cameras_of_no_frame_are_told(services, annotated):
     """A file named like no frame would else be judged as if nothing were wrong with it."""
-    window = make_window(annotated)
+    told = heard(services)
     stray = annotated / "stray.json"
     stray.write_bytes((annotated / "cameras" / "true" / "camera_00001.json").read_bytes())
-    window.services.camera_sources.load_cameras(stray)
-    said = window.message_bar.label.text()
+    services.camera_sources.load_cameras(stray)
+    said = told[-1]
     assert "no camera has the name of a frame" in said
     assert "'stray'" in said
     assert "'00001'" in said
     stray.write_text("{}")
-    window.services.camera_sources.load_cameras(stray)
-    assert "stray.json: holds no camera of a known format" in window.message_bar.label.text()
+    services.camera_sources.load_cameras(stray)
+    assert "stray.json: holds no camera of a known format" in told[-1]
 
 
 def test_tabs_of_panels_show_whole_words_from_the_start(make_window, annotated):

@@ -61,7 +61,7 @@ def look_finds(monkeypatch: pytest.MonkeyPatch, *indices: int) -> None:
 
 def accept(window: MainWindow, qtbot: QtBot) -> None:
     press(window, Key.Key_Return, CTRL | SHIFT)
-    qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running)
     all_done(qtbot)
 
 
@@ -86,7 +86,7 @@ def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypat
     look_finds(monkeypatch, 0, 1)
     accept(window, qtbot)
     press(window, Key.Key_Z, CTRL)
-    qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running)
     all_done(qtbot)
     assert files(shot) == []
 
@@ -122,7 +122,7 @@ def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
     all_done(qtbot)
 
     press(window, Key.Key_T)
-    qtbot.waitUntil(lambda: not window.shot_following.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.shot_following.running)
     all_done(qtbot)
 
     tracked = window.services.shot_track.tracked

@@ -3,6 +3,7 @@
 import csv
 import io
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -13,11 +14,15 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import FaultParty, Verdict
+from procc_annotator.gui.commands.frame_walks import WorstFirst
+from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
 from procc_annotator.metrics.score import explain_score, worst_elements_first
-from tests.gui.conftest import Hand, MakeWindow, all_done, heard
+from tests.gui.conftest import Hand, OpenServices, all_done, heard
 
 SETS = ("true", "bad")
 
@@ -27,24 +32,39 @@ def sample(annotated) -> Path:
     return annotated
 
 
-def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
-    """The window on the sample, both sources audited, "bad" active."""
-    window = make_window(sample)
+def opened(open_services: OpenServices, sample: Path, qtbot: QtBot) -> Services:
+    """The sample, both sources audited, "bad" active."""
+    services = open_services(sample)
     for name in SETS:
-        window.services.camera_sources.load_cameras(sample / "cameras" / name)
-    window.services.camera_sources.set_active_camera(
-        next(i for i, s in enumerate(window.services.state.sources) if s.name == "bad")
+        services.camera_sources.load_cameras(sample / "cameras" / name)
+    services.camera_sources.set_active_camera(
+        next(i for i, s in enumerate(services.state.sources) if s.name == "bad")
     )
-    qtbot.waitUntil(lambda: not window.services.scoring.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not services.scoring.running)
     all_done(qtbot)
-    return window
+    return services
 
 
 @pytest.fixture
-def window(make_window, sample, qtbot) -> MainWindow:
-    window = opened(make_window, sample, qtbot)
-    window.services.navigator.go_to(0)
-    return window
+def services(open_services, sample, qtbot) -> Services:
+    services = opened(open_services, sample, qtbot)
+    services.navigator.go_to(0)
+    return services
+
+
+@pytest.fixture
+def triage(services, widget) -> Triage:
+    return Triage(services, widget)
+
+
+@pytest.fixture
+def worst(services) -> WorstFirst:
+    return WorstFirst(services)
+
+
+@pytest.fixture
+def frames(services, show) -> FramesPanel:
+    return show(FramesPanel(services))
 
 
 def source_of(services: Services, name: str) -> CameraSource:
@@ -55,26 +75,23 @@ def verdict_on(services: Services, frame: str, name: str) -> Verdict | None:
     return services.review.verdict(frame, source_of(services, name))
 
 
-def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
-    combined = Qt.KeyboardModifier.NoModifier
-    for modifier in modifiers:
-        combined |= modifier
-    QTest.keyClick(window.canvas, key, combined)
+def press(window: MainWindow, key: Qt.Key) -> None:
+    QTest.keyClick(window.canvas, key)
 
 
-def exported(window: MainWindow, path: Path, qtbot: QtBot) -> list[dict[str, str]]:
-    window.triage.export(path)
+def exported(triage: Triage, path: Path, qtbot: QtBot) -> list[dict[str, str]]:
+    triage.export(path)
     qtbot.waitUntil(path.exists)
     all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
 
 
-def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> list[str]:
+def walk(services: Services, step: Callable[[], None]) -> list[str]:
     """Frames in the order the key visits them, until it begins again."""
     names = []
     for _ in range(40):
-        press(window, key, *modifiers)
-        name = window.services.state.frame.name
+        step()
+        name = services.state.frame.name
         if names and name == names[0]:
             return names
         names.append(name)
@@ -82,127 +99,121 @@ def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> li
 
 
 class TestWalks:
-    def test_by_jac(self, window):
-        window.services.navigator.go_to(4)  # not annotated: the walk begins at the worst
-        ctrl, shift = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
-        names = walk(window, Qt.Key.Key_W, ctrl, shift)
-        scores = window.services.scoring.frame_scores
+    def test_by_jac(self, worst, services):
+        services.navigator.go_to(4)  # not annotated: the walk begins at the worst
+
+        names = walk(services, worst.go_worst)
+        scores = services.scoring.frame_scores
         assert sorted(names) == sorted(scores)
         jacs = [scores[name] for name in names]
         assert jacs == sorted(jacs)
 
-    def test_begun_on_the_worst_it_says_so_and_stays(self, window):
-        services = window.services
-        worst = min(services.scoring.frame_scores, key=services.scoring.frame_scores.__getitem__)
-        services.navigator.go_to(services.state.workspace.index[worst])
-        press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
-              Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
-        assert services.state.frame.name == worst
+    def test_begun_on_the_worst_it_says_so_and_stays(self, worst, said, services):
+        lowest = min(services.scoring.frame_scores, key=services.scoring.frame_scores.__getitem__)
+        services.navigator.go_to(services.state.workspace.index[lowest])
+        worst.go_worst()
+        assert services.state.frame.name == lowest
         count = len(services.scoring.frame_scores)
-        assert f"1 of {count}, worst first" in window.status.hint.text()
-        assert "this is the worst" in window.status.hint.text()
-        press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
-              Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
-        assert services.state.frame.name != worst
-        assert f"2 of {count}, worst first" in window.status.hint.text()
+        assert f"1 of {count}, worst first" in said[-1]
+        assert "this is the worst" in said[-1]
+        worst.go_worst()
+        assert services.state.frame.name != lowest
+        assert f"2 of {count}, worst first" in said[-1]
 
-    def test_by_largest_error(self, window):
-        window.services.navigator.go_to(4)
-        names = walk(window, Qt.Key.Key_F3)
-        audits = window.services.state.active.audits
+    def test_by_largest_error(self, worst, services):
+        services.navigator.go_to(4)
+        names = walk(services, worst.go_largest_error)
+        audits = services.state.active.audits
         errors = [float(np.nanmax(audits[name].errors_px)) for name in names]
         assert errors == sorted(errors, reverse=True)
         assert sorted(names) == sorted(n for n, a in audits.items() if len(a.errors_px))
 
-    def test_an_edit_does_not_change_the_order_while_one_walks(self, window):
-        services = window.services
+    def test_an_edit_does_not_change_the_order_while_one_walks(self, worst, services):
         services.navigator.go_to(4)
-        press(window, Qt.Key.Key_F3)
+        worst.go_largest_error()
         first = services.state.frame.name
-        press(window, Qt.Key.Key_F3)
+        worst.go_largest_error()
         second = services.state.frame.name
-        worst = worst_elements_first(
+        element = worst_elements_first(
             explain_score(services.scorer.score, services.scorer.measurement, services.state.field)
         )[0]
         services.editing.commit_edit(
-            "clear", services.state.annotation.without(worst.annotated_name)
+            "clear", services.state.annotation.without(element.annotated_name)
         )
         services.navigator.next_frame()  # a look beside
-        rest = walk(window, Qt.Key.Key_F3)
+        rest = walk(services, worst.go_largest_error)
         assert rest[-2:] == [first, second]
         assert len(set(rest)) == len(rest)
 
-    def test_by_disagreement(self, window, qtbot):
-        window.services.navigator.go_to(4)
-        before = window.services.state.frame
-        press(window, Qt.Key.Key_F4)
-        qtbot.waitUntil(lambda: window.services.state.frame is not before, timeout=20_000)
-        (found,) = window.worst_first._kept.values()
-        first = window.services.state.frame.name
+    def test_by_disagreement(self, worst, services, qtbot):
+        services.navigator.go_to(4)
+        before = services.state.frame
+        worst.go_disagreement()
+        qtbot.waitUntil(lambda: services.state.frame is not before)
+        (found,) = worst._kept.values()
+        first = services.state.frame.name
         assert found.metres[first] == max(found.metres.values()) > 0.05
         names = [first]
         for _ in range(len(found.metres) - 1):
-            press(window, Qt.Key.Key_F4)
-            names.append(window.services.state.frame.name)
+            worst.go_disagreement()
+            names.append(services.state.frame.name)
         metres = [found.metres[name] for name in names]
         assert metres == sorted(metres, reverse=True)
         assert set(names) == set(found.metres)
 
-    def test_whoever_moved_on_is_not_taken_away(self, window, qtbot):
-        press(window, Qt.Key.Key_F4)
-        window.services.navigator.go_to(3)
-        qtbot.waitUntil(lambda: bool(window.worst_first._kept), timeout=20_000)
-        assert window.services.state.frame_index == 3
+    def test_whoever_moved_on_is_not_taken_away(self, worst, services, qtbot):
+        worst.go_disagreement()
+        services.navigator.go_to(3)
+        qtbot.waitUntil(lambda: bool(worst._kept))
+        assert services.state.frame_index == 3
 
-    def test_without_a_second_source_it_says_what_to_do(self, make_window, sample, qtbot):
-        window = make_window(sample)
-        window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
-        with qtbot.waitSignal(window.services.store.events.message) as told:
-            press(window, Qt.Key.Key_F4)
-        assert "two sources are needed" in told.args[0].text
+    def test_without_a_second_source_it_says_what_to_do(self, services, worst, said):
+        services.live_fit.set_wanted(False)
+        services.camera_sources.remove_camera_set(0)
+        worst.go_disagreement()
+        assert "two sources are needed" in said[-1]
 
 
 class TestVerdicts:
-    def test_one_key_marks_and_the_same_key_takes_it_back(self, window, qtbot):
-        services = window.services
+    def test_one_key_marks_and_the_same_key_takes_it_back(self, frames, triage, services, qtbot):
         frame = services.state.frame.name
-        press(window, Qt.Key.Key_F7)
+        triage.mark("camera")
         assert verdict_on(services, frame, "bad").fault is FaultParty.CAMERA
         assert verdict_on(services, frame, "true") is None
-        assert window.frames.model.info(0).verdict is FaultParty.CAMERA
-        press(window, Qt.Key.Key_F8)
+        assert frames.model.info(0).verdict is FaultParty.CAMERA
+        triage.mark("annotation")
         assert verdict_on(services, frame, "bad").fault is FaultParty.ANNOTATION
-        press(window, Qt.Key.Key_F8)
+        triage.mark("annotation")
         assert verdict_on(services, frame, "bad") is None
-        assert window.frames.model.info(0).verdict is None
+        assert frames.model.info(0).verdict is None
 
-    def test_the_buttons_say_it_and_mark_too(self, window, qtbot):
-        window.panels.show("scores")
-        buttons = window.scores.verdict.buttons
-        press(window, Qt.Key.Key_F7)
+    def test_the_buttons_say_it_and_mark_too(self, triage, services, qtbot, show):
+        panel = show(ScoresPanel(services))
+        triage.serve(panel.verdict)
+        buttons = panel.verdict.buttons
+        triage.mark("camera")
         qtbot.waitUntil(buttons[FaultParty.CAMERA].isChecked)
         qtbot.mouseClick(buttons[FaultParty.FINE], Qt.MouseButton.LeftButton)
-        assert verdict_on(window.services, "00001", "bad").fault is FaultParty.FINE
+        assert verdict_on(services, "00001", "bad").fault is FaultParty.FINE
         assert not buttons[FaultParty.CAMERA].isChecked()
-        window.services.navigator.go_to(1)
+        services.navigator.go_to(1)
         qtbot.waitUntil(lambda: not buttons[FaultParty.FINE].isChecked())
 
     def test_it_is_there_when_the_dataset_is_opened_again_and_exported(
-        self, window, make_window, sample, qtbot, tmp_path
+        self, triage, services, open_services, sample, qtbot, tmp_path, widget
     ):
-        press(window, Qt.Key.Key_F7)
-        window.services.navigator.go_to(2)
-        press(window, Qt.Key.Key_F9)
-        services = window.services
+        triage.mark("camera")
+        services.navigator.go_to(2)
+        triage.mark("fine")
         services.review.set_verdict(
             "00003", source_of(services, "bad"), FaultParty.FINE, "as sharp as it gets"
         )
-        jac = window.services.scoring.frame_scores["00003"]
-        window.close()
-        again = opened(make_window, sample, qtbot)
-        assert verdict_on(again.services, "00001", "bad").fault is FaultParty.CAMERA
+        jac = services.scoring.frame_scores["00003"]
+        services.close()
+        again = opened(open_services, sample, qtbot)
+        assert verdict_on(again, "00001", "bad").fault is FaultParty.CAMERA
         path = tmp_path / "verdicts.csv"
-        again.triage.export(path)
+        Triage(again, widget).export(path)
         qtbot.waitUntil(path.exists)
         all_done(qtbot)
         first, second = csv.DictReader(io.StringIO(path.read_bytes().decode()))
@@ -211,25 +222,25 @@ class TestVerdicts:
         assert second["comment"] == "as sharp as it gets"
         assert float(second["jac@5px"]) == pytest.approx(jac, abs=1e-5)
         assert float(second["largest_error_px"]) == pytest.approx(
-            np.nanmax(again.services.state.active.audits["00003"].errors_px), abs=2e-3
+            np.nanmax(again.state.active.audits["00003"].errors_px), abs=2e-3
         )
 
-    def test_they_go_along_when_their_source_gets_another_name(self, window, qtbot, tmp_path):
-        services = window.services
-        window.panels.show("scores")
-        press(window, Qt.Key.Key_F7)
+    def test_they_go_along_when_their_source_gets_another_name(
+        self, frames, triage, services, qtbot, tmp_path, show
+    ):
+        panel = show(ScoresPanel(services))
+        triage.mark("camera")
         services.camera_sources.rename_source(services.state.active, "vendor X")
-        assert window.frames.model.info(0).verdict is FaultParty.CAMERA
-        qtbot.waitUntil(window.scores.verdict.buttons[FaultParty.CAMERA].isChecked)
-        (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
+        assert frames.model.info(0).verdict is FaultParty.CAMERA
+        qtbot.waitUntil(panel.verdict.buttons[FaultParty.CAMERA].isChecked)
+        (row,) = exported(triage, tmp_path / "verdicts.csv", qtbot)
         assert (row["source"], row["problem"]) == ("vendor X", "")
         assert row["jac@5px"]
 
     def test_another_source_of_the_same_name_does_not_inherit_them(
-        self, window, sample, qtbot, tmp_path
+        self, frames, triage, services, sample, qtbot, tmp_path
     ):
-        services = window.services
-        press(window, Qt.Key.Key_F7)
+        triage.mark("camera")
         services.camera_sources.remove_camera_set(
             services.state.sources.index(services.state.active)
         )
@@ -237,56 +248,64 @@ class TestVerdicts:
         shutil.copytree(sample / "cameras" / "true", other)
         services.camera_sources.load_cameras(other)
         assert services.state.active.name == "bad"
-        assert window.frames.model.info(0).verdict is None
-        (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
+        assert frames.model.info(0).verdict is None
+        (row,) = exported(triage, tmp_path / "verdicts.csv", qtbot)
         assert row["problem"] == "the source cameras/bad is not loaded"
         assert row["jac@5px"] == ""
-        press(window, Qt.Key.Key_F9)  # says nothing of the one that is gone
+        triage.mark("fine")  # says nothing of the one that is gone
         services.camera_sources.load_cameras(sample / "cameras" / "bad", name="back again")
-        assert window.frames.model.info(0).verdict is FaultParty.CAMERA
+        assert frames.model.info(0).verdict is FaultParty.CAMERA
 
-    def test_the_frames_can_be_filtered_by_it(self, window, qtbot):
+    def test_the_frames_can_be_filtered_by_it(self, frames, triage, services, qtbot):
         for index in (1, 5):
-            window.services.navigator.go_to(index)
-            press(window, Qt.Key.Key_F8)
-        window.frames.filter.setText("verdict:annotation")
-        qtbot.waitUntil(lambda: window.frames.model.rowCount() == 2)
-        press(window, Qt.Key.Key_F8)
-        qtbot.waitUntil(lambda: window.frames.model.rowCount() == 1)
+            services.navigator.go_to(index)
+            triage.mark("annotation")
+        frames.filter.setText("verdict:annotation")
+        qtbot.waitUntil(lambda: frames.model.rowCount() == 2)
+        triage.mark("annotation")
+        qtbot.waitUntil(lambda: frames.model.rowCount() == 1)
 
-    def test_blind_nothing_is_marked_or_shown(self, window, qtbot):
-        services = window.services
-        press(window, Qt.Key.Key_F7)
+    def test_blind_nothing_is_marked_or_shown(self, frames, triage, services, qtbot):
+        triage.mark("camera")
         services.blind_lock.set_blind(True)
-        assert window.frames.model.info(0).verdict is None
+        assert frames.model.info(0).verdict is None
         with qtbot.waitSignal(services.store.events.message) as told:
-            press(window, Qt.Key.Key_F7)
+            triage.mark("camera")
         assert "blind" in told.args[0].text
         services.blind_lock.set_blind(False)
         assert verdict_on(services, "00001", "bad").fault is FaultParty.CAMERA
 
-    def test_blind_verdicts_on_committed_frames_only_are_exported(self, window, qtbot, tmp_path):
-        services = window.services
+    def test_blind_verdicts_on_committed_frames_only_are_exported(
+        self, triage, services, qtbot, tmp_path
+    ):
         for index in (0, 1):
             services.navigator.go_to(index)
-            press(window, Qt.Key.Key_F7)
+            triage.mark("camera")
         services.editing.commit_frame()
         services.blind_lock.set_blind(True)
         told = heard(services)
-        (shown,) = exported(window, tmp_path / "verdicts.csv", qtbot)
+        (shown,) = exported(triage, tmp_path / "verdicts.csv", qtbot)
         assert "leaves out 1 " in told[-1]
         assert shown["frame"] == "00002"
         assert shown["jac@5px"]
         assert shown["largest_error_px"]
 
-    def test_nothing_to_export_is_said(self, window, qtbot, tmp_path):
-        with qtbot.waitSignal(window.services.store.events.message) as told:
-            window.triage.export(tmp_path / "v.csv")
+    def test_nothing_to_export_is_said(self, triage, services, qtbot, tmp_path):
+        with qtbot.waitSignal(services.store.events.message) as told:
+            triage.export(tmp_path / "v.csv")
         assert "no frame has a verdict" in told.args[0].text
         assert not (tmp_path / "v.csv").exists()
 
 
 class TestStatusLine:
+    @pytest.fixture
+    def window(self, make_window, sample, qtbot) -> MainWindow:
+        window = make_window(sample)
+        assert window.services.camera_sources.load_cameras(sample / "cameras" / "bad")
+        qtbot.waitUntil(lambda: not window.services.scoring.running)
+        all_done(qtbot)
+        return window
+
     @staticmethod
     def told(window: MainWindow) -> str:
         assert window.status.hint.toolTip() == window.status.hint.text()
@@ -320,23 +339,21 @@ class TestStatusLine:
 
 class TestExplainer:
     @pytest.fixture
-    def panel(self, window, qtbot):
-        window.services.navigator.go_to(1)
-        window.panels.show("scores")
+    def panel(self, services, show, qtbot):
+        services.navigator.go_to(1)
+        panel = show(ScoresPanel(services))
         # The panel says in its own time what the frame before had no more than three rows of.
-        qtbot.waitUntil(lambda: len(window.scores.model.rows) > 3)
-        return window.scores
+        qtbot.waitUntil(lambda: len(panel.model.rows) > 3)
+        return panel
 
-    def test_every_row_says_why(self, window, panel):
-        services = window.services
+    def test_every_row_says_why(self, services, panel):
         expected = worst_elements_first(
             explain_score(services.scorer.score, services.scorer.measurement, services.state.field)
         )
         assert [row.element.sentence for row in panel.model.rows] == [e.sentence for e in expected]
         assert any("too far: point" in row.element.sentence for row in panel.model.rows)
 
-    def test_a_click_selects_flies_and_says_why(self, window, panel, qtbot):
-        services = window.services
+    def test_a_click_selects_flies_and_says_why(self, services, panel, qtbot):
         rect = panel.table.visualRect(panel.model.index(0, 0))
         with qtbot.waitSignal(services.store.events.flyTo) as flown:
             qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
@@ -347,8 +364,7 @@ class TestExplainer:
         assert flown.args == pytest.approx([point.u * (width - 1), point.v * (height - 1)])
         qtbot.waitUntil(lambda: panel.why.text() == row.element.sentence)
 
-    def test_arrows_and_enter_do_the_same(self, window, panel, qtbot):
-        services = window.services
+    def test_arrows_and_enter_do_the_same(self, services, panel, qtbot):
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         panel.table.selectRow(0)
         with qtbot.waitSignal(services.store.events.flyTo):
@@ -358,21 +374,20 @@ class TestExplainer:
         with qtbot.waitSignal(services.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Return)
 
-    def test_selecting_elsewhere_does_not_fly(self, window, panel, qtbot):
+    def test_selecting_elsewhere_does_not_fly(self, services, panel, qtbot):
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
-        with qtbot.assertNotEmitted(window.services.store.events.flyTo, wait=150):
-            window.services.selection.select_class(panel.model.rows[2].class_name)
+        with qtbot.assertNotEmitted(services.store.events.flyTo, wait=150):
+            services.selection.select_class(panel.model.rows[2].class_name)
         assert panel.why.text() == panel.model.rows[2].element.sentence
 
-    def test_the_sentence_is_never_cut_off(self, window, panel, qtbot):
-        services = window.services
+    def test_the_sentence_is_never_cut_off(self, services, panel, qtbot):
         longest = max(panel.model.rows, key=lambda row: len(row.element.sentence))
         services.selection.select_class(longest.class_name)
         qtbot.waitUntil(lambda: panel.why.text() == longest.element.sentence)
         all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())
 
-    def test_it_can_be_copied(self, window, panel):
+    def test_it_can_be_copied(self, services, panel):
         panel._copy_all()
         assert QGuiApplication.clipboard().text().splitlines() == [
             row.element.sentence for row in panel.model.rows

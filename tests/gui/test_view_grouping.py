@@ -11,8 +11,9 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.landmarks.view_groups import load_views
-from procc_annotator.gui.commands.view_grouping import ViewDialog
-from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.commands.view_grouping import ViewDialog, ViewGrouping
+from procc_annotator.gui.panels.landmarks import LandmarksPanel
+from procc_annotator.gui.state.services import Services
 
 NAMES = ("17_left", "17_right", "18_left", "18_right", "poster")
 BALL = [{"name": "Ball", "moving": True}, {"name": "Ball", "instant": "18", "position": [1, 2, -3]}]
@@ -30,16 +31,26 @@ def folder(tmp_path) -> Path:
 
 
 @pytest.fixture
-def window(make_window, folder) -> MainWindow:
-    window = make_window(folder)
-    window.panels.show("landmarks")
-    window.services.navigator.go_to(2)
-    return window
+def services(open_services, folder) -> Services:
+    services = open_services(folder)
+    services.navigator.go_to(2)
+    return services
 
 
-def asked(window: MainWindow, qtbot: QtBot) -> ViewDialog:
-    window.actions_["group_views"].trigger()
-    dialog = window.view_grouping.dialog
+@pytest.fixture
+def panel(services, show) -> LandmarksPanel:
+    return show(LandmarksPanel(services))
+
+
+@pytest.fixture
+def task(services, widget) -> ViewGrouping:
+    widget.show()
+    return ViewGrouping(services, widget)
+
+
+def asked(task: ViewGrouping, qtbot: QtBot) -> ViewDialog:
+    task.ask()
+    dialog = task.dialog
     qtbot.waitUntil(dialog.write.isEnabled)
     return dialog
 
@@ -61,10 +72,10 @@ def press_write(dialog: ViewDialog) -> None:
     QTest.mouseClick(dialog.write, Qt.MouseButton.LeftButton)
 
 
-def test_groups_by_names_are_shown_written_and_used_at_once(window, folder, qtbot):
-    assert window.landmarks.views.count() == 0
-    assert window.services.scorer.frame_setup.field.element("Ball") is None
-    dialog = asked(window, qtbot)
+def test_groups_by_names_are_shown_written_and_used_at_once(task, panel, services, folder, qtbot):
+    assert panel.views.count() == 0
+    assert services.scorer.frame_setup.field.element("Ball") is None
+    dialog = asked(task, qtbot)
     assert dialog.pattern.text() == "{instant}_{view}"
     assert shown(dialog)[0] == ("17", "left", "17_left")
     assert shown(dialog)[-1] == ("—", "—", "poster")
@@ -72,18 +83,18 @@ def test_groups_by_names_are_shown_written_and_used_at_once(window, folder, qtbo
         "4 frames in 2 groups; 1 name does not fit (last in the table)."
     )
     press_write(dialog)
-    qtbot.waitUntil(lambda: window.landmarks.views.count() == 1)
-    assert window.landmarks.views.item(0).text() == "right  (18_right)"
-    assert window.services.scorer.frame_setup.field.element("Ball") is not None
-    assert window.view_grouping.dialog is None
+    qtbot.waitUntil(lambda: panel.views.count() == 1)
+    assert panel.views.item(0).text() == "right  (18_right)"
+    assert services.scorer.frame_setup.field.element("Ball") is not None
+    assert task.dialog is None
     assert load_views(folder / "views.csv").groups == {
         "17": ("17_left", "17_right"),
         "18": ("18_left", "18_right"),
     }
 
 
-def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(window, qtbot):
-    dialog = asked(window, qtbot)
+def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(task, services, qtbot):
+    dialog = asked(task, qtbot)
     for pattern, words in (
         ("{view}", "names no instant"),
         ("{instant}x{view}", "no name fits it"),
@@ -100,28 +111,28 @@ def test_what_is_wrong_with_a_pattern_is_said_while_it_is_written(window, qtbot)
     assert shown(dialog)[0] == ("17", "—", "17_left")
 
 
-def test_another_file_is_not_written_over_unasked(window, folder, qtbot, monkeypatch):
+def test_another_file_is_not_written_over_unasked(panel, task, folder, qtbot, monkeypatch):
     answers = [False, True]
     monkeypatch.setattr(
         "procc_annotator.gui.commands.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
     )
     path = folder / "views.csv"
     path.write_text("frame,instant\n17_left,1\n18_left,1\n")
-    qtbot.waitUntil(lambda: window.landmarks.views.count() == 1)
-    dialog = asked(window, qtbot)
+    qtbot.waitUntil(lambda: panel.views.count() == 1)
+    dialog = asked(task, qtbot)
     assert dialog.there.text() == "views.csv is there already: 2 frames of 1 instant."
     before = path.read_bytes()
     press_write(dialog)
     qtbot.waitUntil(lambda: len(answers) == 1 and dialog.write.isEnabled())
     assert path.read_bytes() == before
     press_write(dialog)
-    qtbot.waitUntil(lambda: window.view_grouping.dialog is None)
+    qtbot.waitUntil(lambda: task.dialog is None)
     assert len(load_views(path).frames) == 4
 
 
-def test_a_file_that_cannot_be_written_is_told_in_the_dialog(window, folder, qtbot):
+def test_a_file_that_cannot_be_written_is_told_in_the_dialog(task, services, folder, qtbot):
     (folder / "views.csv").symlink_to(folder.parent / "elsewhere.csv")
-    dialog = asked(window, qtbot)
+    dialog = asked(task, qtbot)
     press_write(dialog)
     qtbot.waitUntil(lambda: "could not be saved" in dialog.note.text())
     assert dialog.write.isEnabled()

@@ -287,7 +287,7 @@ def decoded(monkeypatch) -> list[Path]:
 
 
 def _wait_for(cache: FrameCache, path: Path) -> None:
-    deadline = time.monotonic() + 5
+    deadline = time.monotonic() + 60
     while cache.peek(path) is None:
         assert time.monotonic() < deadline, f"{path.name} was not prefetched"
         threading.Event().wait(0.001)

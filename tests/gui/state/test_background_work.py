@@ -1,4 +1,4 @@
-"""What is under way in the background while something else is opened, closed, edited or chosen."""
+"""Background work while another dataset is opened, or something is closed, edited or chosen."""
 
 import csv
 import json
@@ -12,12 +12,13 @@ from typing import Any
 import pytest
 
 from procc_annotator.field.load import load_field
+from procc_annotator.gui.commands.exporting import ExportAs, Exporter
+from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.state import background
 from procc_annotator.gui.state.background import run_in_background
-from procc_annotator.gui.state.checking import label_check
 from procc_annotator.gui.state.scoring import dataset_scores
 from procc_annotator.report import conversion
-from tests.gui.conftest import Hand, heard, let_work_end
+from tests.gui.conftest import draw, heard, let_work_end
 
 TOP, MIDDLE, BOTTOM = "Side line top", "Middle line", "Side line bottom"
 
@@ -65,27 +66,29 @@ class Stop:
         return self.function(*given, **named)
 
 
-def test_an_export_is_of_the_dataset_it_was_asked_for(make_window, dataset, other, tmp_path, qtbot):
-    window = make_window(dataset)
+def test_an_export_is_of_the_dataset_it_was_asked_for(
+    widget, open_services, dataset, other, tmp_path, qtbot
+):
+    services = open_services(dataset)
     let_work_end(qtbot)
     with busy():
-        window.exporter.write_annotations(tmp_path / "out")
-        assert window.services.opening.open_path(other)
-        window.services.evaluation.set_field(load_field("tennis"))
+        Exporter(services, widget).write_annotations(tmp_path / "out")
+        assert services.opening.open_path(other)
+        services.evaluation.set_field(load_field("tennis"))
     qtbot.waitUntil((tmp_path / "out" / "frame_2.json").exists)
     assert list(json.loads((tmp_path / "out" / "frame_0.json").read_text())) == [TOP]
     let_work_end(qtbot)
 
 
 def test_the_overview_is_exported_whole_or_not_at_all(
-    make_window, dataset, other, tmp_path, qtbot, monkeypatch
+    widget, open_services, dataset, other, tmp_path, qtbot, monkeypatch
 ):
-    window = make_window(dataset)
+    services = open_services(dataset)
     let_work_end(qtbot)
     for name in ("whole.csv", "stopped.csv"):
-        slow = Stop(window.services.state.workspace.read, 2)
-        monkeypatch.setattr(window.services.state.workspace, "read", slow)
-        window.exporter.write_overview(tmp_path / name)
+        slow = Stop(services.state.workspace.read, 2)
+        monkeypatch.setattr(services.state.workspace, "read", slow)
+        Exporter(services, widget).write_overview(tmp_path / name)
         assert slow.reached.wait(10)
         monkeypatch.undo()
         if name == "stopped.csv":
@@ -99,73 +102,69 @@ def test_the_overview_is_exported_whole_or_not_at_all(
 
 @pytest.mark.parametrize("what", ["overview", "provenance"])
 def test_where_points_come_from_is_exported_whole_or_not_at_all(
-    make_window, dataset, other, tmp_path, qtbot, what
+    widget, open_services, dataset, other, tmp_path, qtbot, what
 ):
-    window = make_window(dataset)
-    Hand(window).draw(MIDDLE, (100, 100), (200, 200))
-    window.services.navigator.next_frame()
+    services = open_services(dataset)
+    draw(services, MIDDLE)
+    services.navigator.next_frame()
     let_work_end(qtbot)
-    told, path = heard(window.services), tmp_path / "out"
+    told, path = heard(services), tmp_path / "out"
     with busy():
-        getattr(window.exporter, f"write_{what}")(path)
-        assert window.services.opening.open_path(
-            other
-        )  # what is remembered of the first one is put away
+        getattr(Exporter(services, widget), f"write_{what}")(path)
+        assert services.opening.open_path(other)  # what is remembered of the first one is put away
     qtbot.waitUntil(lambda: any("origins" in text for text in told))
     assert not path.exists()
 
 
 def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
-    make_window, annotated, tmp_path, qtbot
+    widget, open_services, annotated, tmp_path, qtbot
 ):
-    window = make_window(annotated)
-    window.panels.show("plots")
-    window.services.live_fit.set_wanted(False)
+    services = open_services(annotated)
+    services.live_fit.set_wanted(False)
     let_work_end(qtbot)
-    told = heard(window.services)
+    told = heard(services)
     with busy(background._THREADS[background.Priority.LOW] - 1):
         slow = Stop(dataset_scores._audit, 3)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(dataset_scores, "_audit", slow)
-            assert window.services.camera_sources.load_cameras(annotated / "cameras" / "true")
+            assert services.camera_sources.load_cameras(annotated / "cameras" / "true")
             assert slow.reached.wait(10)
-        window.exporter.write_overview(tmp_path / "overview.csv")
+        Exporter(services, widget).write_overview(tmp_path / "overview.csv")
     try:
         qtbot.waitUntil(lambda: any("overview.csv" in text for text in told))
     finally:
         slow.go.set()
     assert "some frames have no JaC yet" in next(t for t in told if "overview.csv" in t)
     let_work_end(qtbot)
-    window.exporter.write_overview(tmp_path / "later.csv")
+    Exporter(services, widget).write_overview(tmp_path / "later.csv")
     qtbot.waitUntil(lambda: any("later.csv" in text for text in told))
     assert "JaC" not in next(t for t in told if "later.csv" in t)
 
 
 def test_an_export_that_another_dataset_cuts_short_is_told(
-    make_window, dataset, other, tmp_path, qtbot, monkeypatch
+    widget, open_services, dataset, other, tmp_path, qtbot, monkeypatch
 ):
-    window = make_window(dataset)
+    services = open_services(dataset)
     let_work_end(qtbot)
     slow = Stop(conversion.export_as)
     monkeypatch.setattr(conversion, "export_as", slow)
-    window.export_as.ask()
-    window.export_as.start(tmp_path / "out")
+    told, export = heard(services), ExportAs(services, widget)
+    export.ask()
+    export.start(tmp_path / "out")
     assert slow.reached.wait(10)
-    assert window.services.opening.open_path(other)
+    assert services.opening.open_path(other)
     slow.go.set()
-    qtbot.waitUntil(lambda: "still there" in window.message_bar.label.text())
-    assert window.message_bar.isVisible()
+    qtbot.waitUntil(lambda: any("still there" in text for text in told))
 
 
-def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(window, qtbot, monkeypatch):
-    services = window.services
+def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(services, qtbot, monkeypatch):
     let_work_end(qtbot)
     slow = Stop(services.state.workspace.read, 2)
     monkeypatch.setattr(services.state.workspace, "read", slow)
     assert services.landmarks.add("roof")
     assert services.landmarks.frames_with("roof") is None
     qtbot.waitUntil(slow.reached.is_set)  # the frame on screen was looked at
-    Hand(window).draw("roof", (100, 100))
+    draw(services, "roof")
     services.navigator.next_frame()
     slow.go.set()
     qtbot.waitUntil(lambda: services.landmarks.frames_with("roof") is not None)
@@ -174,33 +173,33 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(window, qtbot, 
 
 @pytest.mark.parametrize("how", ["closed", "another annotator", "another dataset"])
 def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
-    make_window, dataset, other, tmp_path, qtbot, how
+    show, open_services, dataset, other, tmp_path, qtbot, how
 ):
     for number in range(3):
         annotate(tmp_path / "second", f"frame_{number}", TOP, 0.51)
-    window = make_window(dataset)
+    services = open_services(dataset)
+    show(AgreementPanel(services))
     let_work_end(qtbot)
     if how == "another annotator":
-        window.services.second_annotator.open(tmp_path / "second")
-        qtbot.waitUntil(lambda: window.services.state.noise_floor is not None)
+        services.second_annotator.open(tmp_path / "second")
+        qtbot.waitUntil(lambda: services.state.noise_floor is not None)
     with busy():
-        folder = "second" if how != "another annotator" else other
-        window.services.second_annotator.open(tmp_path / folder)
+        services.second_annotator.open(tmp_path / "second" if how != "another annotator" else other)
         if how == "closed":
-            window.services.second_annotator.close()
+            services.second_annotator.close()
         elif how == "another dataset":
-            assert window.services.opening.open_path(other)
+            assert services.opening.open_path(other)
         # Until the other one is read, the first stays.
-        assert (window.services.state.noise_floor is None) == (how != "another annotator")
+        assert (services.state.noise_floor is None) == (how != "another annotator")
     let_work_end(qtbot)
-    assert window.services.state.noise_floor is None  # no element is annotated by both
+    assert services.state.noise_floor is None  # no element is annotated by both
 
 
-def test_a_field_chosen_while_a_file_is_read_stays(make_window, dataset, tmp_path, qtbot):
+def test_a_field_chosen_while_a_file_is_read_stays(open_services, dataset, tmp_path, qtbot):
     path = tmp_path / "court.toml"
     shutil.copy(str(load_field("basketball_fiba").source), path)
-    window = make_window(dataset)
-    choice = window.services.field_choice
+    services = open_services(dataset)
+    choice = services.field_choice
     choice.take(load_field(path))
     let_work_end(qtbot)
     slow = Stop(choice._prepared)
@@ -209,26 +208,7 @@ def test_a_field_chosen_while_a_file_is_read_stays(make_window, dataset, tmp_pat
         choice.read_again()
         assert slow.reached.wait(10)
     choice.choose("tennis")
-    qtbot.waitUntil(lambda: window.services.state.field.name == "tennis")
+    qtbot.waitUntil(lambda: services.state.field.name == "tennis")
     slow.go.set()
     let_work_end(qtbot)
-    assert window.services.state.field.name == "tennis"
-
-
-def test_an_older_check_does_not_replace_a_newer_one(make_window, dataset, qtbot, monkeypatch):
-    window = make_window(dataset)
-    services = window.services
-    services.live_fit.set_wanted(False)
-    let_work_end(qtbot)
-    slow = Stop(label_check.check_without_fit)
-    monkeypatch.setattr(label_check, "check_without_fit", slow)
-    Hand(window).draw(TOP, (100, 100), (200, 100))
-    services.store.events.aboutToLeave.emit()
-    qtbot.waitUntil(slow.reached.is_set)
-    services.live_fit.set_wanted(True)  # from now on the check is that of the fit
-    Hand(window).draw(BOTTOM, (100, 300), (200, 300))
-    services.store.events.aboutToLeave.emit()
-    slow.go.set()  # one check runs at a time: the newer one waits for the older
-    qtbot.waitUntil(lambda: services.label_check.checked is not None, timeout=20_000)
-    let_work_end(qtbot)
-    assert services.label_check.checked is not None
+    assert services.state.field.name == "tennis"
