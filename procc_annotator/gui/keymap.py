@@ -29,7 +29,7 @@ GESTURES: tuple[tuple[str, str], ...] = (
     (word("Hold Z"), word("loupe: eight times the picture's pixels")),
     (word("Hold ,"), word("look at the compared camera source")),
     (word("Tap ,"), word("judge with the compared source, compare with this one")),
-    (word("Hold Ctrl"), word("click beside the line: no snapping")),
+    (word("Hold Ctrl"), word("click off the line: no snapping")),
     (word("Ctrl+Alt + drag a line"), word("camera: it follows, the place stays as a peg")),
     (word("Ctrl+Alt + click a peg"), word("camera: take the peg away")),
     (word("Arrows"), word("crosshair: the keys point; chosen points are moved instead")),

@@ -241,7 +241,7 @@ def _placing_words(following: str | None, *, placed: bool) -> str:
 
 
 def _snap_words(context: ToolContext) -> tuple[str, ...]:
-    return (tr("hold Ctrl to click beside the line"),) if context.snap is not None else ()
+    return (tr("hold Ctrl to click off the line"),) if context.snap is not None else ()
 
 
 def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | None) -> _HintText:
@@ -298,7 +298,7 @@ def _click_words(context: ToolContext, field: Field, over: Hit | None) -> str:
     if not context.annotation.annotated and not context.annotation.unconfirmed:
         return tr("click does nothing: there are no points to edit, draw an element first")
     if context.chosen_points:
-        return tr("click a point to drag it, beside it to let go")
+        return tr("click a point to drag it, next to it to deselect")
     return tr("click or drag a point, drag on empty ground to choose several")
 
 

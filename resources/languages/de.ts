@@ -772,7 +772,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>zurückgenommen</translation>
   </message>
   <message>
@@ -827,7 +827,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Bild</translation>
   </message>
   <message>
@@ -837,7 +837,7 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, the menus]</extracomment>
    <translation>Ansicht</translation>
   </message>
   <message>
@@ -864,11 +864,6 @@
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
    <translation>zurückgenommen: die Kamera ist wie vor dem Ziehen</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
-   <translation>Blindmodus: es wird keine Kamera gezeigt</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
@@ -1230,47 +1225,47 @@
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>nichts geändert: schon regelmäßig, oder dort fand sich keine gemalte Linie</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} von {frame} kopiert, entlang der Spur; Umschalt+V bestätigt alle</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} von {frame} kopiert, mit der Kamera verschoben; Umschalt+V bestätigt alle</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} von {frame} kopiert, wie sie waren: keine Bewegung gefunden; Umschalt+V bestätigt alle</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>zurückgenommen: nichts wird begradigt</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>zurückgenommen: nichts wird kopiert</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>das Bild wurde verlassen: nichts wurde begradigt</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>das Bild wurde verlassen: nichts wurde kopiert</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{n} Punkt nicht durch Farbe bestätigt</numerusform>
     <numerusform>{n} Punkte nicht durch Farbe bestätigt</numerusform>
@@ -1278,22 +1273,22 @@
   </message>
   <message>
    <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} begradigen</translation>
   </message>
   <message>
    <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>von {frame} kopieren</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>wählen Sie zuerst ein annotiertes Element</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/versions.py]</extracomment>
    <translation>
     <numerusform>{n} Element</numerusform>
     <numerusform>{n} Elemente</numerusform>
@@ -1301,7 +1296,7 @@
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{what} begradigt: {n} Punkt</numerusform>
     <numerusform>{what} begradigt: {n} Punkte</numerusform>
@@ -1309,52 +1304,47 @@
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{element} hat Ecken oder ist ein einzelner Ort: es bleibt, wie es ist</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>hier ist kein Element des Feldes annotiert</translation>
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>kein Bild vor diesem ist annotiert</translation>
   </message>
   <message>
    <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} hat kein Element, das hier fehlt</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} wird {other}</translation>
   </message>
   <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
-   <translation>{element} und {other} tauschen</translation>
-  </message>
-  <message>
    <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} als {other} kopieren</translation>
   </message>
   <message>
    <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} mit {other} vereinen</translation>
   </message>
   <message>
    <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Lücken schließen</translation>
   </message>
   <message numerus="yes">
    <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} Element bestätigen</numerusform>
     <numerusform>{n} Elemente bestätigen</numerusform>
@@ -1362,7 +1352,7 @@
   </message>
   <message numerus="yes">
    <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
     <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
@@ -1370,27 +1360,32 @@
   </message>
   <message>
    <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Name der Linie</translation>
   </message>
   <message>
    <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Welche Linie ist das?</translation>
   </message>
   <message>
    <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} ist eine Kurve, die zwei Punkte nicht zeigen: weiterklicken</translation>
   </message>
   <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation>{element} und {other} tauschen</translation>
+  </message>
+  <message>
    <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} ist seine eigene symmetrische Klasse</translation>
   </message>
   <message numerus="yes">
    <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{elements} ist schon annotiert</numerusform>
     <numerusform>{elements} sind schon annotiert</numerusform>
@@ -1398,27 +1393,27 @@
   </message>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} liegt, wo {other} ist: ziehen Sie es an seinen Platz</translation>
   </message>
   <message>
    <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} umkehren</translation>
   </message>
   <message>
    <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>wählen Sie zuerst den Punkt, an dem geteilt werden soll (beim Bearbeiten)</translation>
   </message>
   <message>
    <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} teilen</translation>
   </message>
   <message numerus="yes">
    <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} Element bestätigt</numerusform>
     <numerusform>{n} Elemente bestätigt</numerusform>
@@ -1426,22 +1421,22 @@
   </message>
   <message>
    <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>in diesem Bild ist nichts unbestätigt</translation>
   </message>
   <message>
    <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} ist bereits annotiert</translation>
   </message>
   <message>
    <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>kein Ende liegt so nahe an einer Ecke oder am Bildrand</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} unbestätigtes Element verworfen</numerusform>
     <numerusform>{n} unbestätigte Elemente verworfen</numerusform>
@@ -1449,651 +1444,70 @@
   </message>
   <message>
    <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Unbenannt lassen</translation>
   </message>
   <message>
    <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>ein Element wird an einem Punkt zwischen seinen Enden geteilt, in eine freie Klasse</translation>
   </message>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} wurde anderswo geändert: sehen Sie noch einmal hin</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt</numerusform>
-    <numerusform>{n} Punkte</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}: {points}, Linie zu {share:.0%} zu sehen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Ende von {elements} ist nicht zu sehen: die Punkte hören davor auf</numerusform>
-    <numerusform>{n} Enden von {elements} sind nicht zu sehen: die Punkte hören davor auf</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>die Kamera ist inzwischen eine andere</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} annehmen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Geist</numerusform>
-    <numerusform>{n} Geister</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} von {total} Geistern</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} angenommen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Ende ist nicht zu sehen: die Punkte hören davor auf</numerusform>
-    <numerusform>{n} Enden sind nicht zu sehen: die Punkte hören davor auf</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>das Bild wurde inzwischen bearbeitet</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>die Suche nach der Linie auf {frame} dauerte zu lange</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} ist nicht angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Alle Geister annehmen</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>Wie viel der Linie eines Geistes zu sehen sein muss, damit er mit allen anderen angenommen wird (%):</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}: keine gemalte Linie gefunden; klicken Sie es von Hand, oder sagen Sie, dass es hier nicht sichtbar ist (.)</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>die Kamera wird angepasst: nehmen Sie ihre Geister gleich an</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} auf {frame} angenommen</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen: es gibt kein Bild, um ihre Linien zu suchen</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} ist nicht angenommen</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>der Geist ist angenommen: nehmen Sie die Geister der neuen Anpassung an</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>das Gezeichnete ist beendet: nehmen Sie die Geister der neuen Anpassung an</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} ist angenommen, sobald seine Punkte gefunden sind</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>gehen Sie zuerst zu einem Geist (Tab) oder wählen Sie ein Element</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>das war der erste Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
-    <numerusform>das war der erste Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente, oder folgen Sie der Einstellung (T)</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>das war der letzte Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
-    <numerusform>das war der letzte Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>die Kamera wird angepasst: Geister kommen gleich</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: die Kamera wird im Bild gesucht</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: {why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: was sonst zu sehen ist, ist annotiert oder nicht gut genug bekannt</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: annotieren Sie drei oder vier Elemente, daraus folgt eine Kamera</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister im Blindmodus, bis das Bild abgegeben ist (Strg+Eingabe)</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: die laufende Anpassung ist aus (Strg+T)</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: sie sind ausgeschaltet (Element &gt; Geister &gt; Geister zeigen)</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>Überlagerungen sind ausgeblendet: kein Geist ist zu sehen (Strg+H, oder X loslassen)</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>beenden Sie zuerst, was gezeichnet wird (Eingabe), oder brechen Sie es ab (Esc)</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>keine Geister: keine Kamera ließ sich anpassen</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>noch passt keine Kamera</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>es wird von Hand gezeichnet</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} ist hier annotiert: löschen Sie es zuerst (Strg+Entf)</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} ist hier nicht sichtbar; Strg+. nimmt es zurück</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} ist hier vielleicht wieder sichtbar</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>kein Element dieses Bildes galt als nicht sichtbar</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>das war der letzte Geist</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>gehen Sie zuerst zu einem Geist (Tab)</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{off}; wählen Sie zuerst ein Element</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Das Feld behalten und zu diesen Klassen nichts mehr sagen</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Der Datensatz merkt es sich und wird nicht noch einmal gefragt</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Nein, {field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Das Feld dieses Datensatzes</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Feldbeschreibungen (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Ist das {field}? Die hier annotierten Klassen sind die von {field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{why}, aber {file} im Ordner des Datensatzes entscheidet</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Ja, {field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Zu {field} wechseln</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{problem}; das Feld blieb, wie es war: {field}</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Bewertungen weichen dann von denen des Nennfeldes ({nominal}) ab, das offizielle Auswertungen nehmen; sie nennen die Maße, mit denen sie berechnet sind.</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Eigene Maße (stadiums.csv): {frames} von {stadiums}. Was hier eingegeben wird, gilt für alle anderen, und für das, was Stadien offenlassen.</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Bewertungen weichen dann von denen offizieller Auswertungen ab, die Linien dort nehmen, wo die Regeln sie messen; sie sagen es.</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Die Regeln messen viele Linien an einer Kante ihrer Farbe. Klicks liegen auf deren Mitte, die halbe Linienbreite daneben: wählen Sie das, wo es darauf ankommt, etwa in Hallen und nahe der Kamera.</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Nur Länge und Breite werden aus Bildern bestimmt, und die Regeln legen die dieses Feldes fest</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bild.</numerusform>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bildern.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>wo die Regeln messen</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>in der Mitte der Farbe</translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>Aus der Kamera von {n} Bild; ± ist eine Standardabweichung.</numerusform>
-    <numerusform>Aus den Kameras von {n} Bildern; ± ist eine Standardabweichung.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>{remark}; es blieb, wie es war.</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Feldmaße: {field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Aus diesem Satz schätzen</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Für diesen Datensatz behalten</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Nennmaße</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Das Feld, wie offizielle Auswertungen es nehmen</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Nennmaß {nominal:g} m, die Regeln erlauben {minimum:g} bis {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>&lt;b&gt;nicht {number:g} m: die Regeln erlauben {minimum:g} bis {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} Bild</numerusform>
-    <numerusform>{n} Bilder</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} Stadion</numerusform>
-    <numerusform>{n} Stadien</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Blind: nicht abgegebene Bilder nahmen nicht teil ({n}).</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Unlesbare Bilder nahmen nicht teil: {n}.</translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Klicks liegen:</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Anhalten</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>die Regeln legen jedes Maß des Feldes {field} fest</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Blind: der Satz wird angesehen, sobald ein Bild davon abgegeben ist (Strg+Eingabe).</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Bilder eines Augenblicks aus verschiedenen Kameras bilden eine Gruppe. Ihre Namen sagen, welche, nach einem Muster: &lt;b&gt;{instant}&lt;/b&gt; steht dafür, wann ein Bild entstand, &lt;b&gt;{view}&lt;/b&gt; für die Kamera, alles andere für sich selbst. Ein regulärer Ausdruck mit &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; und &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; tut es auch.</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Kein passendes Muster für diese Namen gefunden: schreiben Sie eines.</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Was jetzt darin steht, geht verloren, samt allem anderen.</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Augenblick</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild</numerusform>
-    <numerusform>{n:,} Bilder</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} in {n:,} Gruppe von {least} bis {most}</numerusform>
-    <numerusform>{frames} in {n:,} Gruppen von {least} bis {most}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} aus {n:,} Augenblick</numerusform>
-    <numerusform>{frames} aus {n:,} Augenblicken</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild, nicht gruppiert.</numerusform>
-    <numerusform>{n:,} Bilder, keines gruppiert.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} in {n:,} Gruppe</numerusform>
-    <numerusform>{frames} in {n:,} Gruppen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Gruppen von Bildern</translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} gibt es schon: {sizes}.</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} gruppiert ab jetzt {sizes}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Augenblick mit nur einem Bild</numerusform>
-    <numerusform>{n:,} Augenblicke mit nur einem Bild</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Name passt nicht (zuletzt in der Tabelle)</numerusform>
-    <numerusform>{n:,} Namen passen nicht (zuletzt in der Tabelle)</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Ansichten gruppieren</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Muster der Bildnamen</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} schreiben</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Diese Gruppen im Ordner des Datensatzes behalten</translation>
-  </message>
-  <message>
    <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>? (bleibt, wie es ist, eine unbekannte Klasse)</translation>
   </message>
   <message>
    <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
    <translation>Auslassen</translation>
   </message>
   <message>
    <source>Label</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Label</translation>
   </message>
   <message>
    <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Formen</translation>
   </message>
   <message>
    <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Steht für</translation>
   </message>
   <message>
    <source>Why</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Warum</translation>
   </message>
   <message>
    <source>sure</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>sicher</translation>
   </message>
   <message>
    <source>likely</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>wahrscheinlich</translation>
   </message>
   <message>
    <source>to be said</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>zu sagen</translation>
   </message>
   <message numerus="yes">
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>
     <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
     <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
@@ -2101,179 +1515,179 @@
   </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Diese Namen gleichen eher denen von {field}: wählen Sie zuerst dieses Feld (Datei &gt; Feld).</translation>
   </message>
   <message>
    <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Namen eines anderen Programms</translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Diese Namen beim Datensatz behalten ({file})</translation>
   </message>
   <message>
    <source>Import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importieren</translation>
   </message>
   <message>
    <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Wofür {label} steht</translation>
   </message>
   <message>
    <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Was daraus wurde</translation>
   </message>
   <message>
    <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Annotationen importieren</translation>
   </message>
   <message>
    <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Zu importierende Annotationen</translation>
   </message>
   <message>
    <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>In die Dateien sehen</translation>
   </message>
   <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <source>Only frames without annotations</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Nur Bilder, in denen noch nichts annotiert ist</translation>
   </message>
   <message>
    <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Auch in den anderen ersetzen, was annotiert ist</translation>
   </message>
   <message>
    <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Was da war, bleibt unter den früheren Fassungen des Bildes, und Rückgängig holt es zurück</translation>
   </message>
   <message>
    <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Annotationen</translation>
   </message>
   <message>
    <source>Format</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Format</translation>
   </message>
   <message>
    <source>Import into</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importieren in</translation>
   </message>
   <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
-   <translation>Bilder werden nach dem Namen der Bilddatei zugeordnet.</translation>
-  </message>
-  <message>
    <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Annotationen (*.json *.xml *.zip);;Alle Dateien (*)</translation>
   </message>
   <message>
    <source>Export as</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Exportieren als</translation>
   </message>
   <message>
    <source>Export…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Exportieren…</translation>
   </message>
   <message>
    <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ein Zip-Archiv statt eines Ordners</translation>
   </message>
   <message>
    <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Vorhandene Dateien ersetzen</translation>
   </message>
   <message>
    <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Elemente behalten, für die SoccerNet keine Klasse hat</translation>
   </message>
   <message>
    <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Breite der Linien</translation>
   </message>
   <message>
    <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Auch die Bilder kopieren</translation>
   </message>
   <message>
    <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>In einen Ordner exportieren</translation>
   </message>
   <message>
    <source>Keeps {holds}.
 Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Behält {holds}.
 Verliert {loses}.</translation>
   </message>
   <message>
    <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Diese Namen in {file} des Datensatzes aufnehmen, neu geschrieben</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
    <translation>Abbrechen</translation>
   </message>
   <message>
    <source>Close</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Schließen</translation>
   </message>
   <message>
    <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ein Ordner, ein Zip-Archiv oder eine Datei</translation>
   </message>
   <message>
    <source>File…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Datei…</translation>
   </message>
   <message>
    <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ordner…</translation>
   </message>
   <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
+   <translation>Bilder werden nach dem Namen der Bilddatei zugeordnet.</translation>
+  </message>
+  <message>
    <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Zip-Archiv (*.zip)</translation>
   </message>
   <message>
    <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frames}, {elements} und {points} nach {path} geschrieben ({format}).</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} Annotation</numerusform>
     <numerusform>{n:,} Annotationen</numerusform>
@@ -2281,7 +1695,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>JaC von {n:,} Bild</numerusform>
     <numerusform>JaC von {n:,} Bildern</numerusform>
@@ -2289,47 +1703,50 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Nicht alles ließ sich speichern: es gilt, was auf der Platte ist.</translation>
   </message>
   <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>Nichts geschrieben: kein Bild ist annotiert, oder keines ließ sich schreiben.</translation>
+  </message>
+  <message>
    <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>die Anpassung von {frame} ist als {path} gespeichert</translation>
   </message>
   <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>keine Kamera zu speichern: die Anpassung ist noch nicht da</translation>
-  </message>
-  <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{source} entsteht aus den Klicks, an denen es gemessen würde: beurteilen Sie die zu bewertenden Kameras (procc-annotator calibrate passt einen Satz an und bewertet ihn)</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{annotations} und {scores}</translation>
   </message>
   <message>
    <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>nichts: kein Bild ist annotiert</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Export: abgebrochen; schon geschriebene Dateien sind noch da</translation>
   </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>Nichts geschrieben: kein Bild ist annotiert, oder keines ließ sich schreiben.</translation>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild</numerusform>
+    <numerusform>{n:,} Bilder</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n:,} Element</numerusform>
     <numerusform>{n:,} Elemente</numerusform>
@@ -2337,45 +1754,30 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} Punkt</numerusform>
     <numerusform>{n:,} Punkte</numerusform>
    </translation>
   </message>
   <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>die laufende Anpassung ist aus (Strg+T)</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>blind: die Anpassung ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>keine Kamera zu speichern: {why}</translation>
-  </message>
-  <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Zip-Archiv (*.zip);;Ordner (*)</translation>
   </message>
   <message>
    <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Tabelle (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
    <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Übersicht exportieren</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild nach {path} exportiert</numerusform>
     <numerusform>{n:,} Bilder nach {path} exportiert</numerusform>
@@ -2383,67 +1785,72 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>der Satz wurde noch bewertet: einige Bilder haben noch keinen JaC</translation>
   </message>
   <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>laden Sie zuerst Kameras: es gibt nichts zu bewerten</translation>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>keine Kamera zu speichern: die Anpassung ist noch nicht da</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>blind: noch ist kein Bild abgegeben, also gibt es keinen JaC zu zeigen</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{what} nach {path} exportiert</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Abgebrochen; schon geschriebene Dateien sind noch da.</translation>
   </message>
   <message>
    <source>Not written</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Nicht geschrieben</translation>
   </message>
   <message>
    <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Was das Format nicht fassen kann</translation>
   </message>
   <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>keine Kamera zu speichern: {why}</translation>
+  </message>
+  <message>
    <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>die Anpassung wird neu berechnet: speichern Sie sie gleich</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame}: das Bild ist unlesbar, so dass die Pixel der Kamera zu keiner Größe gehören; nicht gespeichert</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>als {path} gespeichert, aber die geladenen Kameras ließen sich nicht neu lesen: {problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{saved}; kaum bestimmt: {why}</translation>
   </message>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>nicht alles ließ sich speichern: der Export hat den zuletzt gespeicherten Stand</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebenes Bild aus</numerusform>
     <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebene Bilder aus</numerusform>
@@ -2451,7 +1858,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} Datei war unlesbar: {problem}</numerusform>
     <numerusform>{n:,} Dateien waren unlesbar: {problem}</numerusform>
@@ -2459,30 +1866,610 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
    <translation>Tabelle (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Exportieren</translation>
   </message>
   <message>
    <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>exportiert {done} / {total}</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Das Feld behalten und zu diesen Klassen nichts mehr sagen</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Der Datensatz merkt es sich und wird nicht noch einmal gefragt</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Nein, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Das Feld dieses Datensatzes</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Feldbeschreibungen (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Ist das {field}? Die hier annotierten Klassen sind die von {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{why}, aber {file} im Ordner des Datensatzes entscheidet</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Ja, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Zu {field} wechseln</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{problem}; das Feld blieb, wie es war: {field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Bewertungen weichen dann von denen des Nennfeldes ({nominal}) ab, das offizielle Auswertungen nehmen; sie nennen die Maße, mit denen sie berechnet sind.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Eigene Maße (stadiums.csv): {frames} von {stadiums}. Was hier eingegeben wird, gilt für alle anderen, und für das, was Stadien offenlassen.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Bewertungen weichen dann von denen offizieller Auswertungen ab, die Linien dort nehmen, wo die Regeln sie messen; sie sagen es.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Die Regeln messen viele Linien an einer Kante ihrer Farbe. Klicks liegen auf deren Mitte, die halbe Linienbreite daneben: wählen Sie das, wo es darauf ankommt, etwa in Hallen und nahe der Kamera.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Nur Länge und Breite werden aus Bildern bestimmt, und die Regeln legen die dieses Feldes fest</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bild.</numerusform>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bildern.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>wo die Regeln messen</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>in der Mitte der Farbe</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Feldmaße: {field}</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>Aus der Kamera von {n} Bild; ± ist eine Standardabweichung.</numerusform>
+    <numerusform>Aus den Kameras von {n} Bildern; ± ist eine Standardabweichung.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>{remark}; es blieb, wie es war.</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Aus diesem Satz schätzen</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Klicks liegen:</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Für diesen Datensatz behalten</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Nennmaße</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Das Feld, wie offizielle Auswertungen es nehmen</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Nennmaß {nominal:g} m, die Regeln erlauben {minimum:g} bis {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;nicht {number:g} m: die Regeln erlauben {minimum:g} bis {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} Bild</numerusform>
+    <numerusform>{n} Bilder</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} Stadion</numerusform>
+    <numerusform>{n} Stadien</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Blind: nicht abgegebene Bilder nahmen nicht teil ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Unlesbare Bilder nahmen nicht teil: {n}.</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py, procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>die Regeln legen jedes Maß des Feldes {field} fest</translation>
+  </message>
+  <message>
+   <source>Blind: the set is checked once one of its frames is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Blind: der Satz wird angesehen, sobald ein Bild davon abgegeben ist (Strg+Eingabe).</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein Bild nach diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein Bild nach diesem ist zweifelhaft</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein Bild vor diesem ist zweifelhaft</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: größter Fehler {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: mediane Abweichung {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein anderes Bild ist abgelehnt</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{frame} ist {status}</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein bewertetes Bild, zu dem zu gehen wäre</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein bewertetes Bild, zu dem zu gehen wäre: der Blindmodus zeigt nur abgegebene Bilder</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} wird über den Satz mit {other} verglichen</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>Blindmodus: wie gut die Spur ist, bleibt verborgen</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>noch wurde keiner Einstellung gefolgt (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>diese Bilder folgen nicht aufeinander</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>jedes Bild nach diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>jedes Bild vor diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>jedes Bild nach diesem ist fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>jedes Bild vor diesem ist fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>zwei Quellen sind nötig, um zu sehen, wo sie abweichen: laden Sie mehr Kameras (Strg+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} und {other} lassen sich in keinem Bild am Boden vergleichen</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>Vergleich der Quellen angehalten</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>das ist das schlechteste; noch einmal geht weiter</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>kein anderes Bild ist bewertet</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>wieder vom schlechtesten an</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>zwei Quellen werden schon verglichen</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} und {other} sind verglichen</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/ghost_accepting.py, procc_annotator/gui/commands/versions.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt</numerusform>
+    <numerusform>{n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{accepted}: {points}, Linie zu {share:.0%} zu sehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Ende von {elements} ist nicht zu sehen: die Punkte hören davor auf</numerusform>
+    <numerusform>{n} Enden von {elements} sind nicht zu sehen: die Punkte hören davor auf</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>die Kamera ist inzwischen eine andere</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} annehmen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Geist</numerusform>
+    <numerusform>{n} Geister</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{n} von {total} Geistern</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} angenommen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Ende ist nicht zu sehen: die Punkte hören davor auf</numerusform>
+    <numerusform>{n} Enden sind nicht zu sehen: die Punkte hören davor auf</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>das Bild wurde inzwischen bearbeitet</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>die Suche nach der Linie auf {frame} dauerte zu lange</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} ist nicht angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Alle Geister annehmen</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>Wie viel der Linie eines Geistes zu sehen sein muss, damit er mit allen anderen angenommen wird (%):</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element}: keine gemalte Linie gefunden; klicken Sie es von Hand, oder sagen Sie, dass es hier nicht sichtbar ist (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>die Kamera wird angepasst: nehmen Sie ihre Geister gleich an</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} auf {frame} angenommen</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen: es gibt kein Bild, um ihre Linien zu suchen</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} ist nicht angenommen</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>der Geist ist angenommen: nehmen Sie die Geister der neuen Anpassung an</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>das Gezeichnete ist beendet: nehmen Sie die Geister der neuen Anpassung an</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} ist angenommen, sobald seine Punkte gefunden sind</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Geist (Tab) oder wählen Sie ein Element</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>das war der erste Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>das war der erste Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente, oder folgen Sie der Einstellung (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>das war der letzte Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>das war der letzte Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>die Kamera wird angepasst: Geister kommen gleich</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: die Kamera wird im Bild gesucht</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: was sonst zu sehen ist, ist annotiert oder nicht gut genug bekannt</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: annotieren Sie drei oder vier Elemente, daraus folgt eine Kamera</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: sie sind ausgeschaltet (Element &gt; Geister &gt; Geister zeigen)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>Überlagerungen sind ausgeblendet: kein Geist ist zu sehen (Strg+H, oder X loslassen)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>beenden Sie zuerst, was gezeichnet wird (Eingabe), oder brechen Sie es ab (Esc)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: keine Kamera ließ sich anpassen</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>noch passt keine Kamera</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>es wird von Hand gezeichnet</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} ist hier annotiert: löschen Sie es zuerst (Strg+Entf)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} ist hier nicht sichtbar; Strg+. nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} ist hier vielleicht wieder sichtbar</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>kein Element dieses Bildes galt als nicht sichtbar</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>das war der letzte Geist</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Geist (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{off}; wählen Sie zuerst ein Element</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{edited} von {n:,} Bild importiert ({format}).</numerusform>
     <numerusform>{edited} von {n:,} Bildern importiert ({format}).</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <source>Cancelled: {n:,} frames were not checked.</source>
+   <extracomment>Cancelled: {n:,} frame was not checked. / Cancelled: {n:,} frames were not checked. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>Abgebrochen: {n:,} Bild wurde nicht angesehen.</numerusform>
     <numerusform>Abgebrochen: {n:,} Bilder wurden nicht angesehen.</numerusform>
@@ -2490,7 +2477,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild ist schon annotiert und blieb unverändert.</numerusform>
     <numerusform>{n:,} Bilder sind schon annotiert und blieben unverändert.</numerusform>
@@ -2498,7 +2485,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild enthält bereits dasselbe.</numerusform>
     <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
@@ -2507,12 +2494,12 @@ Verliert {loses}.</translation>
   <message>
    <source>import</source>
    <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Importieren</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{edited} von {n:,} Bild importiert</numerusform>
     <numerusform>{edited} von {n:,} Bildern importiert</numerusform>
@@ -2520,355 +2507,65 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Abgebrochen; nichts wurde importiert.</translation>
   </message>
   <message>
    <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Gelassen, wie sie waren</translation>
   </message>
   <message>
    <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Nicht lesbar</translation>
   </message>
   <message>
    <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Ohne Bild hier ({n})</translation>
   </message>
   <message>
    <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Geändert oder ausgelassen</translation>
   </message>
   <message>
    <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>es ließ sich nicht speichern: {why}</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Bilder</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Videos</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>hier zuvor geöffnete Kameras sind nicht mehr da: {paths}</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>das Beispiel kommt mit dem Quelltext, nicht hier</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Ihre eigene Kopie, in {folder}; laden Sie ihre Kameras aus dem Menü Kamera</translation>
-  </message>
-  <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Einen Ordner mit Kameras laden</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Kameras laden</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Kameras</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>hier zuvor geöffnete Kameras werden nicht wieder geöffnet: {why}</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Einen Ordner mit Bildern öffnen</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Ein Bild öffnen</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Video öffnen</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Den Ordner eines zweiten Annotators öffnen</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, ohne Legende</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, zu groß: wählen Sie einen kleineren Maßstab oder SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>PNG: Pixel, ohne Verlust</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>JPEG: Pixel, klein</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>SVG: Linien und Text bleiben scharf</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Bild (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Bild mit Überlagerung speichern</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Px des Ergebnisses je Px des Bildes; Linien und Text wachsen mit</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Farben, Striche und Zeichen unter dem Bild erklären</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Art</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Maßstab</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Ergebnis</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Legende</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>das Bild mit Überlagerung {path} wird geschrieben …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>öffnen Sie zuerst ein Bild</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{path}: ist das Bild selbst, wählen Sie einen anderen Namen</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Bild mit Überlagerung nach {path} geschrieben</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Ein Bild alle</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Das erste Bild jeder Szene</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Sucht im ganzen Video nach Schnitten; das dauert eine Weile</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>Feld</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>{file} wird gelesen</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>In {file} werden Schnitte gesucht</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>dieses Bild ist schon eine Bilddatei</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>als {path} behalten</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Es wird nichts herausgeschrieben; „Dieses Videobild behalten“ schreibt ein Bild.</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} von {total}, schlechteste zuerst: JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} von {total}, schlechteste zuerst: größter Fehler {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} von {total}, schlechteste zuerst: mediane Abweichung {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>noch kein JaC: laden Sie zuerst Kameras</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>kein anderes Bild ist abgelehnt</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{frame} ist {status}</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>kein bewertetes Bild, zu dem zu gehen wäre</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} wird über den Satz mit {other} verglichen</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>jedes Bild nach diesem ist fertig oder freigegeben</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>jedes Bild vor diesem ist fertig oder freigegeben</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>zwei Quellen sind nötig, um zu sehen, wo sie abweichen: laden Sie mehr Kameras (Strg+L)</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} und {other} lassen sich in keinem Bild am Boden vergleichen</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>Vergleich der Quellen angehalten</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>das ist das schlechteste; noch einmal geht weiter</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>kein anderes Bild ist bewertet</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>wieder vom schlechtesten an</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>kein bewertetes Bild, zu dem zu gehen wäre: der Blindmodus zeigt nur abgegebene Bilder</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>zwei Quellen werden schon verglichen</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} und {other} sind verglichen</translation>
   </message>
   <message>
    <source>error</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Fehler</translation>
   </message>
   <message>
    <source>warning</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Warnung</translation>
   </message>
   <message>
    <source>hint</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Hinweis</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Befund {place} von {total}, {severity}: {elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>kein Befund ist so sicher, wie der Bereich Befunde eingestellt ist</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n} Element umbenannt</numerusform>
     <numerusform>{n} Elemente umbenannt</numerusform>
@@ -2876,7 +2573,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild geprüft, Kameramodell {model}: {found}</numerusform>
     <numerusform>{n:,} Bilder geprüft, Kameramodell {model}: {found}</numerusform>
@@ -2884,7 +2581,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} geprüftes Bild</numerusform>
     <numerusform>{n:,} geprüfte Bilder</numerusform>
@@ -2892,47 +2589,47 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} und {other}</translation>
   </message>
   <message>
    <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>die Klassenprüfung sieht sich dieses Bild noch an</translation>
   </message>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>die Klassenprüfung hat nichts gefunden; prüfen Sie den ganzen Satz, um alle Bilder anzusehen</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{done}; Strg+Z nimmt es zurück</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Punkt {n} von {element} entfernt</translation>
   </message>
   <message>
    <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} und {other} getauscht</translation>
   </message>
   <message>
    <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} in {other} umbenannt</translation>
   </message>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>übergangen, bis sich {elements} ändert; der Bereich Befunde holt es zurück</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild lässt sich nicht prüfen</numerusform>
     <numerusform>{n:,} Bilder lassen sich nicht prüfen</numerusform>
@@ -2940,12 +2637,12 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Befunde exportieren</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} Befund in {frames} nach {path} exportiert</numerusform>
     <numerusform>{n:,} Befunde in {frames} nach {path} exportiert</numerusform>
@@ -2953,257 +2650,267 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>die Klassenprüfung hat nichts gefunden</translation>
   </message>
   <message>
    <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Punkt von {element} entfernt</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>gehen Sie zuerst zu einem Befund (F10)</translation>
   </message>
   <message>
    <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>die Prüfung des Satzes ist angehalten; was gefunden ist, bleibt</translation>
   </message>
   <message>
    <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>die Klassenprüfung hat in diesem Bild nichts gefunden</translation>
   </message>
   <message>
    <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>nichts gefunden</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>keine Abhilfe bekannt: {reason}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Das Aufheben zeigt allen, die ihn annotieren, Kameras, Geister und die Anpassung. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>hier zuvor geöffnete Kameras werden nicht wieder geöffnet: {why}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Das Aufheben zeigt Ihnen Kameras, Geister und die Anpassung; für andere war er nicht festgelegt. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Video öffnen</translation>
   </message>
   <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>der Blindmodus lässt {n} zu nicht abgegebenen Bildern aus</translation>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ein Bild alle</translation>
   </message>
   <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Blindmodus aufheben</translation>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Das erste Bild jeder Szene</translation>
   </message>
   <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Aufheben und vermerken</translation>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Sucht im ganzen Video nach Schnitten; das dauert eine Weile</translation>
   </message>
   <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Festgelegt lassen</translation>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, the field american_football, the menus]</extracomment>
+   <translation>Feld</translation>
   </message>
   <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{frame}: kein Urteil über {source} mehr</translation>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>{file} wird gelesen</translation>
   </message>
   <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Notiz zum Urteil</translation>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>In {file} werden Schnitte gesucht</translation>
   </message>
   <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Was ist hier falsch:</translation>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Bilder</translation>
   </message>
   <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Urteile exportieren</translation>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Videos</translation>
   </message>
   <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>blind: kein abgegebenes Bild hat ein Urteil</translation>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Es wird nichts herausgeschrieben; „Dieses Videobild behalten“ schreibt ein Bild.</translation>
   </message>
   <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>noch hat kein Bild ein Urteil: geben Sie zuerst eines ab</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Urteil nach {path} exportiert</numerusform>
-    <numerusform>{n:,} Urteile nach {path} exportiert</numerusform>
-   </translation>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>hier zuvor geöffnete Kameras sind nicht mehr da: {paths}</translation>
   </message>
   <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ein Urteil gilt einem Bild und einer Kamera: laden Sie zuerst Kameras</translation>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>dieses Bild ist schon eine Bilddatei</translation>
   </message>
   <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>blind: die Kamera ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>als {path} behalten</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>urteilen Sie zuerst über das Bild: Fehler der Kamera, Fehler der Annotation oder in Ordnung</translation>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>das Beispiel kommt mit dem Quelltext, nicht hier</translation>
   </message>
   <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>nicht alles ließ sich speichern: die Zahlen gelten dem zuletzt gespeicherten Stand</translation>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ihre eigene Kopie, in {folder}; laden Sie ihre Kameras aus dem Menü Kamera</translation>
   </message>
   <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} folgt den Klicks: ein Urteil gilt einer geladenen Kamera</translation>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Einen Ordner mit Kameras laden</translation>
   </message>
   <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Kameras laden</translation>
   </message>
   <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Es gibt keine frühere Fassung dieses Bildes.</translation>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Kameras</translation>
   </message>
   <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Verglichen mit jetzt: {changes}. Verschieden: {elements}.</translation>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Einen Ordner mit Bildern öffnen</translation>
   </message>
   <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>unlesbar</translation>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ein Bild öffnen</translation>
   </message>
   <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>leer</translation>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Den Ordner eines zweiten Annotators öffnen</translation>
   </message>
   <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>wie jetzt</translation>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, ohne Legende</translation>
   </message>
   <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>andere Elemente</translation>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, zu groß: wählen Sie einen kleineren Maßstab oder SVG</translation>
   </message>
   <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Punkte verschoben</translation>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>PNG: Pixel, ohne Verlust</translation>
   </message>
   <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Das enthält das Bild jetzt.</translation>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>JPEG: Pixel, klein</translation>
   </message>
   <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Verglichen mit jetzt: dieselben Punkte in anderer Reihenfolge der Elemente.</translation>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>SVG: Linien und Text bleiben scharf</translation>
   </message>
   <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>eine frühere Fassung zurückholen</translation>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Bild (*{suffix})</translation>
   </message>
   <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Frühere Fassungen</translation>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Bild mit Überlagerung speichern</translation>
   </message>
   <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Zurückholen</translation>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Px des Ergebnisses je Px des Bildes; Linien und Text wachsen mit</translation>
   </message>
   <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>%d.%m.%Y, %H:%M:%S</translation>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Farben, Striche und Zeichen unter dem Bild erklären</translation>
   </message>
   <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>{n} weitere</translation>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Art</translation>
   </message>
   <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Maßstab</translation>
   </message>
   <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>die frühere Fassung ist wieder da; was nicht lesbar war, bleibt als Fassung erhalten</translation>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Ergebnis</translation>
   </message>
   <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Legende</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>das Bild mit Überlagerung {path} wird geschrieben …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>öffnen Sie zuerst ein Bild</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{path}: ist das Bild selbst, wählen Sie einen anderen Namen</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Bild mit Überlagerung nach {path} geschrieben</translation>
   </message>
   <message>
    <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>es ist inzwischen annotiert</translation>
   </message>
   <message>
    <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>es wurde seither bearbeitet</translation>
   </message>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild anzunehmen: folgen Sie zuerst der Einstellung (T); zweifelhafte und annotierte Bilder bleiben aus</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Blindmodus: angenommen wird nichts, was nicht geklickt ist</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Farbe entlang der Spur wird gesucht: {done} von {total} Bildern</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild entlang der Spur angenommen</numerusform>
     <numerusform>{n:,} Bilder entlang der Spur angenommen</numerusform>
@@ -3211,12 +2918,12 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Strg+Z nimmt sie zurück</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>zurückgenommen: {n:,} entlang der Spur angenommenes Bild</numerusform>
     <numerusform>zurückgenommen: {n:,} entlang der Spur angenommene Bilder</numerusform>
@@ -3224,7 +2931,7 @@ Verliert {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild gelassen: {why}</numerusform>
     <numerusform>{n:,} Bilder gelassen: {why}</numerusform>
@@ -3232,42 +2939,42 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Farbe entlang der Spur wird gesucht</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
   </message>
   <message>
    <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Spur annehmen</translation>
   </message>
   <message>
    <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Spur zurücknehmen</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>nichts Angenommenes, das zurückzunehmen wäre</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>zurückgenommen: kein Bild ist angenommen</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
     <numerusform>{n:,} Bilder verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
@@ -3275,12 +2982,12 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>Verfolgung: {done} von {total} Bildern  ·  T hält an</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild verfolgt, sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
     <numerusform>{n:,} Bilder verfolgt, alle sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
@@ -3288,68 +2995,321 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>die Enden der Einstellung werden gesucht …  T hält an</translation>
   </message>
   <message>
    <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>der Einstellung ließ sich nicht folgen: {why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>nur einem Video oder aufeinanderfolgenden Bildern lässt sich folgen</translation>
   </message>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>Blindmodus: keiner Einstellung wird gefolgt, ihre Kameras wären zu sehen</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>kein Bild der Einstellung hat eine sichere Kamera: annotieren Sie eines, dann folgen Sie ihr</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>angehalten; das bisher Verfolgte bleibt</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>angehalten; nichts wurde verfolgt</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>kein Bild nach diesem ist annotiert</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Das Aufheben zeigt allen, die ihn annotieren, Kameras, Geister und die Anpassung. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
   </message>
   <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>kein Bild nach diesem ist zweifelhaft</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Das Aufheben zeigt Ihnen Kameras, Geister und die Anpassung; für andere war er nicht festgelegt. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
   </message>
   <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>kein Bild vor diesem ist zweifelhaft</translation>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>der Blindmodus lässt {n} zu nicht abgegebenen Bildern aus</translation>
   </message>
   <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>Blindmodus: wie gut die Spur ist, bleibt verborgen</translation>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{frame}: kein Urteil über {source} mehr</translation>
   </message>
   <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>noch wurde keiner Einstellung gefolgt (T)</translation>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Notiz zum Urteil</translation>
   </message>
   <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>diese Bilder folgen nicht aufeinander</translation>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Was ist hier falsch:</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Urteile exportieren</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>blind: kein abgegebenes Bild hat ein Urteil</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>noch hat kein Bild ein Urteil: geben Sie zuerst eines ab</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Urteil nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Urteile nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Blindmodus aufheben</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Aufheben und vermerken</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Festgelegt lassen</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>urteilen Sie zuerst über das Bild: Fehler der Kamera, Fehler der Annotation oder in Ordnung</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>nicht alles ließ sich speichern: die Zahlen gelten dem zuletzt gespeicherten Stand</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} folgt den Klicks: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Es gibt keine frühere Fassung dieses Bildes.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Verglichen mit jetzt: {changes}. Verschieden: {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>unlesbar</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>leer</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>wie jetzt</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>andere Elemente</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Punkte verschoben</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Das enthält das Bild jetzt.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Verglichen mit jetzt: dieselben Punkte in anderer Reihenfolge der Elemente.</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>eine frühere Fassung zurückholen</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Frühere Fassungen</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Zurückholen</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>%d.%m.%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>{n} weitere</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>die frühere Fassung ist wieder da; was nicht lesbar war, bleibt als Fassung erhalten</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Bilder eines Augenblicks aus verschiedenen Kameras bilden eine Gruppe. Ihre Namen sagen, welche, nach einem Muster: &lt;b&gt;{instant}&lt;/b&gt; steht dafür, wann ein Bild entstand, &lt;b&gt;{view}&lt;/b&gt; für die Kamera, alles andere für sich selbst. Ein regulärer Ausdruck mit &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; und &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; tut es auch.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Kein passendes Muster für diese Namen gefunden: schreiben Sie eines.</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Was jetzt darin steht, geht verloren, samt allem anderen.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Augenblick</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Gruppe von {least} bis {most}</numerusform>
+    <numerusform>{frames} in {n:,} Gruppen von {least} bis {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} aus {n:,} Augenblick</numerusform>
+    <numerusform>{frames} aus {n:,} Augenblicken</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild, nicht gruppiert.</numerusform>
+    <numerusform>{n:,} Bilder, keines gruppiert.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Gruppe</numerusform>
+    <numerusform>{frames} in {n:,} Gruppen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Gruppen von Bildern</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} gruppiert ab jetzt {sizes}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Augenblick mit nur einem Bild</numerusform>
+    <numerusform>{n:,} Augenblicke mit nur einem Bild</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Name passt nicht (zuletzt in der Tabelle)</numerusform>
+    <numerusform>{n:,} Namen passen nicht (zuletzt in der Tabelle)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Ansichten gruppieren</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Muster der Bildnamen</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} gibt es schon: {sizes}.</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} schreiben</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Diese Gruppen im Ordner des Datensatzes behalten</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -3495,7 +3455,7 @@ Verliert {loses}.</translation>
    <translation>Strg halten</translation>
   </message>
   <message>
-   <source>click beside the line: no snapping</source>
+   <source>click off the line: no snapping</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>neben die Linie klicken: kein Einrasten</translation>
   </message>
@@ -3521,7 +3481,7 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>Pfeiltasten</translation>
   </message>
   <message>
@@ -3724,15 +3684,33 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} gibt es schon, und es steht etwas anderes darin.</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} Bild ist nicht gespeichert, und das Speichern misslang eben noch einmal.</numerusform>
+    <numerusform>{n} Bilder sind nicht gespeichert, und das Speichern misslang eben noch einmal.</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>{text}.</translation>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Zeigen, was in der Datei steht; Rückgängig bringt Ihre Fassung zurück</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Was Sie sehen, über die Datei schreiben</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} löschen?</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Behalten</translation>
   </message>
   <message>
    <source>Delete</source>
@@ -3745,27 +3723,14 @@ Verliert {loses}.</translation>
    <translation>Ersetzen</translation>
   </message>
   <message>
-   <source>Keep it</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Behalten</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames are not saved, and saving failed again just now.</source>
-   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
-   <translation>
-    <numerusform>{n} Bild ist nicht gespeichert, und das Speichern misslang eben noch einmal.</numerusform>
-    <numerusform>{n} Bilder sind nicht gespeichert, und das Speichern misslang eben noch einmal.</numerusform>
-   </translation>
+   <translation>Schließen und verlieren</translation>
   </message>
   <message>
    <source>Stay</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Bleiben</translation>
-  </message>
-  <message>
-   <source>Close and lose them</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Schließen und verlieren</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3778,24 +3743,9 @@ Verliert {loses}.</translation>
    <translation>Fremde neu laden</translation>
   </message>
   <message>
-   <source>Show what is in the file; undo brings your version back</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Zeigen, was in der Datei steht; Rückgängig bringt Ihre Fassung zurück</translation>
-  </message>
-  <message>
    <source>Overwrite with mine</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Mit eigener überschreiben</translation>
-  </message>
-  <message>
-   <source>Write what you see on screen over the file</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Was Sie sehen, über die Datei schreiben</translation>
-  </message>
-  <message>
-   <source>This frame is not editable. {problem}</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Dieses Bild lässt sich nicht bearbeiten. {problem}</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -3849,6 +3799,11 @@ Verliert {loses}.</translation>
    <translation>Den zweiten Annotator schließen</translation>
   </message>
   <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Die Datei des zweiten Annotators zu diesem Bild ist unlesbar: {error}</translation>
+  </message>
+  <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>JaC der Übereinstimmung bei {tau:g} px: {jac:.3f}</translation>
@@ -3877,19 +3832,9 @@ Verliert {loses}.</translation>
    <translation>Punkte</translation>
   </message>
   <message>
-   <source>The second annotator's file for this frame is unreadable: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Die Datei des zweiten Annotators zu diesem Bild ist unlesbar: {error}</translation>
-  </message>
-  <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Verborgen: im Blindmodus erscheint die Bewertung, sobald dieses Bild abgegeben ist.</translation>
-  </message>
-  <message>
-   <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Der zweite Annotator hat nichts zu diesem Bild.</translation>
+   <translation>Verborgen: im Blindmodus erscheint die Bewertung, sobald dieses Bild abgegeben ist.</translation>
   </message>
   <message>
    <source>One of the two seems to label the field turned by 180 degrees.</source>
@@ -3941,299 +3886,135 @@ Verliert {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
-   <translation>soccernet (offiziell)</translation>
-  </message>
-  <message>
-   <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>procc (Veröffentlichung)</translation>
-  </message>
-  <message>
-   <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>als verfehlt zählen</translation>
-  </message>
-  <message>
-   <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>werden ausgelassen</translation>
-  </message>
-  <message>
-   <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Kameras ({endings});;Alle Dateien (*)</translation>
-  </message>
-  <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Quelle zum Vergleichen</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Wird der aktiven Quelle gegenübergestellt: Komma, geteilte Ansicht, Abweichung</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Vergleichen mit</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>{share:.0f} % innerhalb {far:g} m, auf {covered:.0f} % des Bildes</translation>
-  </message>
-  <message>
-   <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Keine Kameras geladen.
-Laden Sie einen Ordner mit SoccerNet-Kameradateien oder Homographien, um sie an Ihren Klicks gemessen zu sehen.</translation>
-  </message>
-  <message>
-   <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Ordner laden…</translation>
-  </message>
-  <message>
-   <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Ein Ordner mit einer Kameradatei je Bild</translation>
-  </message>
-  <message>
-   <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Datei laden…</translation>
-  </message>
-  <message>
-   <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Ein Zip-Archiv mit Kameras, oder die Kamera eines Bildes</translation>
-  </message>
-  <message>
-   <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Wie die als Nächstes geladenen Dateien gelesen werden</translation>
-  </message>
-  <message>
-   <source>soccernet: the official evaluation with its quirks
-procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>soccernet: die offizielle Auswertung mit ihren Eigenheiten
-procc: die Definition der Veröffentlichung, geschlossene Kreise und feine Kurven</translation>
-  </message>
-  <message>
-   <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Eine Homographie kennt nur den Boden: wie Pfosten und Latten für sie zählen</translation>
-  </message>
-  <message>
-   <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Gelesen als</translation>
-  </message>
-  <message>
-   <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
-   <translation>Protokoll</translation>
-  </message>
-  <message>
-   <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Über dem Boden</translation>
-  </message>
-  <message>
-   <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Dieses Bild: {notice}</translation>
-  </message>
-  <message>
-   <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>⚠ Die Kamera dieses Bildes ist nicht zu gebrauchen: {error}</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>min</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Median</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>max</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Zwischen den beiden Punkten am Boden, die ein Pixel meint</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Von einem Pixel dorthin, wo die verglichene Kamera seinen Bodenpunkt zeigt</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>am Boden, m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>im Bild, px</translation>
-  </message>
-  <message>
-   <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Blind: die Projektion bleibt verborgen, bis dieses Bild abgegeben ist.</translation>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Der zweite Annotator hat nichts zu diesem Bild.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Bilder dieses Datensatzes, die eine Kamera haben (Vollständigkeit)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>In diesem Fenster besuchte Bilder, deren Klicks eine Kamera ergaben; ihr JaC gilt den Klicks, aus denen die Anpassung entstand.
 procc-annotator calibrate passt den ganzen Satz an und bewertet ihn</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Bilder dieses Datensatzes, die durch ihre Einstellung verfolgt wurden und eine Kamera haben.
 procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</translation>
   </message>
   <message>
    <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Gelb</translation>
   </message>
   <message>
    <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Violett</translation>
   </message>
   <message>
    <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Blau</translation>
   </message>
   <message>
    <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Mint</translation>
   </message>
   <message>
    <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Marineblau</translation>
   </message>
   <message>
    <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Cyan</translation>
   </message>
   <message>
    <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Die laufende Anpassung ausschalten (Strg+T schaltet sie wieder ein)</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Aus der Liste entfernen; die Dateien bleiben</translation>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Name der Quelle</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Das Verfolgte vergessen (T folgt der Einstellung erneut)</translation>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Als Drahtgitter zeichnen, während eine andere Quelle beurteilt wird</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Mittlerer JaC bei {tau:.1f} px über {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Unlesbar (Filter camera:unreadable): {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{matched} von {total}, {n} unlesbar</numerusform>
     <numerusform>{matched} von {total}, {n} unlesbar</numerusform>
    </translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Name der Quelle</translation>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Aus der Liste entfernen; die Dateien bleiben</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Als Drahtgitter zeichnen, während eine andere Quelle beurteilt wird</translation>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Das Verfolgte vergessen (T folgt der Einstellung erneut)</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Nichts beurteilen, keine Kamera zeichnen</translation>
   </message>
   <message>
    <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} beurteilen</translation>
   </message>
   <message>
    <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} entfernen</translation>
   </message>
   <message>
    <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} zeichnen</translation>
   </message>
   <message>
    <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Farbe von {name}</translation>
   </message>
   <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Andere…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Farbe der Quelle</translation>
-  </message>
-  <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>keine Kamera</translation>
-  </message>
-  <message>
-   <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Nichts beurteilen, keine Kamera zeichnen</translation>
-  </message>
-  <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{frames} bisher</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{mean}; {n:,} Kamera ist unlesbar und nimmt nicht teil</numerusform>
     <numerusform>{mean}; {n:,} Kameras sind unlesbar und nehmen nicht teil</numerusform>
@@ -4241,17 +4022,17 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model} (Boden)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model} hier, mehrere Modelle</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild verfolgt</numerusform>
     <numerusform>{n:,} Bilder verfolgt</numerusform>
@@ -4259,7 +4040,7 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild angepasst</numerusform>
     <numerusform>{n:,} Bilder angepasst</numerusform>
@@ -4267,12 +4048,12 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{n} von {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{names} und {n:,} weitere</numerusform>
     <numerusform>{names} und {n:,} weitere</numerusform>
@@ -4280,41 +4061,205 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>hier nicht zu gebrauchen: {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>keine Kamera für dieses Bild</translation>
   </message>
   <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Andere…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Farbe der Quelle</translation>
+  </message>
+  <message>
    <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Doppelklick oder F2 gibt ihr einen anderen Namen</translation>
   </message>
   <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Der Blindmodus verbirgt, wie gut die Quellen sind</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Kein Bild hat zugleich annotierte Elemente und eine Kamera dieser Quelle</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} Kamera</numerusform>
     <numerusform>{n:,} Kameras</numerusform>
    </translation>
   </message>
   <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>keine Kamera</translation>
+  </message>
+  <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>mehrere Modelle</translation>
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the setting protocol]</extracomment>
+   <translation>soccernet (offiziell)</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>procc (Veröffentlichung)</translation>
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>als verfehlt zählen</translation>
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>werden ausgelassen</translation>
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Kameras ({endings});;Alle Dateien (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Quelle zum Vergleichen</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Vergleichen mit</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>{share:.0f} % innerhalb {far:g} m, auf {covered:.0f} % des Bildes</translation>
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Keine Kameras geladen.
+Laden Sie einen Ordner mit SoccerNet-Kameradateien oder Homographien, um sie an Ihren Klicks gemessen zu sehen.</translation>
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Ordner laden…</translation>
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Datei laden…</translation>
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Gelesen als</translation>
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the menus, the setting protocol]</extracomment>
+   <translation>Protokoll</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Über dem Boden</translation>
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Dieses Bild: {notice}</translation>
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>⚠ Die Kamera dieses Bildes ist nicht zu gebrauchen: {error}</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Wird der aktiven Quelle gegenübergestellt: Komma, geteilte Ansicht, Abweichung</translation>
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>min</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Median</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>max</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>am Boden, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>im Bild, px</translation>
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Ein Ordner mit einer Kameradatei je Bild</translation>
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Ein Zip-Archiv mit Kameras, oder die Kamera eines Bildes</translation>
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Wie die als Nächstes geladenen Dateien gelesen werden</translation>
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>soccernet: die offizielle Auswertung mit ihren Eigenheiten
+procc: die Definition der Veröffentlichung, geschlossene Kreise und feine Kurven</translation>
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Eine Homographie kennt nur den Boden: wie Pfosten und Latten für sie zählen</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Zwischen den beiden Punkten am Boden, die ein Pixel meint</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Von einem Pixel dorthin, wo die verglichene Kamera seinen Bodenpunkt zeigt</translation>
   </message>
   <message>
    <source>annotated</source>
@@ -4373,7 +4318,7 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
    <translation>Annotiert, die Kamera projiziert es nicht (falsch negativ)</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
+   <source>Marked as not visible in this frame</source>
    <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
    <translation>Jemand sagte, dass es in diesem Bild nicht zu sehen ist</translation>
   </message>
@@ -4389,7 +4334,7 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>Ohne Geometrie</translation>
   </message>
   <message>
@@ -4403,9 +4348,11 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
    <translation>Element suchen</translation>
   </message>
   <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Elemente</translation>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Kein Element passt zu „{query}“.
+Esc leert die Suche.</translation>
   </message>
   <message>
    <source>Annotated points</source>
@@ -4420,11 +4367,9 @@ Class in files: {name}</source>
 Klasse in Dateien: {name}</translation>
   </message>
   <message>
-   <source>No element matches “{query}”.
-Esc clears the search.</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation>Kein Element passt zu „{query}“.
-Esc leert die Suche.</translation>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Elemente</translation>
   </message>
   <message>
    <source>Key</source>
@@ -4443,7 +4388,7 @@ Esc leert die Suche.</translation>
    <translation>Status</translation>
   </message>
   <message>
-   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <source>Annotating it next helps most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Es als Nächstes zu annotieren bringt am meisten: die Projektion ist dann auf {after:.1f} px statt {before:.1f} px bekannt</translation>
   </message>
@@ -4469,27 +4414,27 @@ Esc leert die Suche.</translation>
   </message>
   <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Fehler</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Warnung</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Hinweis</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>In diesem Bild wurde nichts gefunden.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>In {n:,} Bild nichts gefunden.</numerusform>
     <numerusform>In {n:,} Bildern nichts gefunden.</numerusform>
@@ -4498,23 +4443,23 @@ Esc leert die Suche.</translation>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Keine Bilder.
 Öffnen Sie einen Ordner mit Bildern, um ihre Klassen zu prüfen.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>In diesem Bild ist nichts annotiert.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Die Regeln, die keine Kamera brauchen, fanden nichts.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Nichts gefunden außer {n:,} übergangenem Befund.</numerusform>
     <numerusform>Nichts gefunden außer {n:,} übergangenen Befunden.</numerusform>
@@ -4522,53 +4467,63 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Blind: Befunde, die eine Kamera brauchen, warten, bis dieses Bild abgegeben ist (Strg+Eingabe).</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Die laufende Anpassung ist aus: nur Regeln, die keine Kamera brauchen, werden geprüft.</translation>
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Noch passt keine Kamera ({why}): nur Regeln, die keine brauchen, werden geprüft.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Blind: nur abgegebene Bilder werden mit einer Kamera geprüft.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} Bild lässt sich nicht prüfen, etwa {name}: {why}</numerusform>
     <numerusform>{n:,} Bilder lassen sich nicht prüfen, etwa {name}: {why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The set is not checked yet; {n:,} frames checked so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame checked so far. / The set is not checked yet; {n:,} frames checked so far. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Der Satz ist noch nicht geprüft; bisher {n:,} Bild angesehen.</numerusform>
     <numerusform>Der Satz ist noch nicht geprüft; bisher {n:,} Bilder angesehen.</numerusform>
    </translation>
   </message>
   <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Welche Befunde aufgeführt sind</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Geprüfte Bilder</translation>
+  </message>
+  <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Dieses Bild wird geprüft…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Der Satz wird geprüft…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} Fehler</numerusform>
     <numerusform>{n:,} Fehler</numerusform>
@@ -4576,7 +4531,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} Warnung</numerusform>
     <numerusform>{n:,} Warnungen</numerusform>
@@ -4584,45 +4539,20 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} Hinweis</numerusform>
     <numerusform>{n:,} Hinweise</numerusform>
    </translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Befunde</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Welche Befunde aufgeführt sind</translation>
-  </message>
-  <message>
    <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
    <translation>Ganzen Satz prüfen</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
-   <translation>In jedem annotierten Bild nach falschen Klassen suchen</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Geprüfte Bilder</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Die Befunde aller geprüften Bilder als CSV schreiben</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} weiterer ist nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
     <numerusform>{n:,} weitere sind nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
@@ -4630,27 +4560,42 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action ignore_finding]</extracomment>
    <translation>Ihn nicht mehr zeigen, bis sich die Punkte seiner Elemente ändern</translation>
   </message>
   <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Befunde</translation>
+  </message>
+  <message>
    <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Dieses Bild</translation>
   </message>
   <message>
    <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Ganzer Satz</translation>
   </message>
   <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
+   <translation>In jedem annotierten Bild nach falschen Klassen suchen</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Die Befunde aller geprüften Bilder als CSV schreiben</translation>
+  </message>
+  <message>
    <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>{findings}; klicken, um sie aufzuführen oder nicht</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
     <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
@@ -4658,7 +4603,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/menus.py, the action ignore_finding]</extracomment>
    <translation>Diesen Befund übergehen</translation>
   </message>
   <message>
@@ -4743,14 +4688,44 @@ Open a folder of pictures to check their labels.</source>
    </translation>
   </message>
   <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>✕ ausgelassen: {title}</translation>
-  </message>
-  <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{title}: Mittel {mean} px, größtes {largest} px</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Für einen Irrtum gehalten: hatte bei der Anpassung nicht mitzureden</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Sichtbare Elemente, die nicht annotiert sind, zählen gegen den JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Kaum bestimmt: {limits}</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Mittlerer Abstand der Punkte, die mitreden durften, px des Bildes</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Standardabweichung, wie die Anpassung sie schätzt</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Als Kamera des Bildes speichern</translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ ausgelassen: {title}</translation>
   </message>
   <message>
    <source>Pan</source>
@@ -4789,54 +4764,14 @@ Open a folder of pictures to check their labels.</source>
    <translation>Höhe (−z)</translation>
   </message>
   <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Sichtbare Elemente, die nicht annotiert sind, zählen gegen den JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Kaum bestimmt: {limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Was angepasst wird. Automatisch: das einfachste Modell, das die Klicks hergeben</translation>
-  </message>
-  <message>
    <source>Model</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Modell</translation>
   </message>
   <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Mittlerer Abstand der Punkte, die mitreden durften, px des Bildes</translation>
-  </message>
-  <message>
    <source>Residuals by element</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Residuen je Element</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Als Kamera des Bildes speichern</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Öffnen Sie einen Ordner mit Bildern, um die Kamera zu sehen, die ihre Klicks ergeben.</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Die laufende Anpassung ist aus (Strg+T).</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Verborgen: im Blindmodus erscheint die Anpassung, sobald dieses Bild abgegeben ist.</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
@@ -4855,7 +4790,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/pages.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>JaC bei {tau:.1f} px</translation>
   </message>
   <message>
@@ -4869,14 +4804,9 @@ Open a folder of pictures to check their labels.</source>
    <translation>JaC: {terms}; Residuen: px des Bildes, {width}x{height}</translation>
   </message>
   <message>
-   <source>Standard deviation, as the fit estimates it</source>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Standardabweichung, wie die Anpassung sie schätzt</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Für einen Irrtum gehalten: hatte bei der Anpassung nicht mitzureden</translation>
+   <translation>Was angepasst wird. Automatisch: das einfachste Modell, das die Klicks hergeben</translation>
   </message>
   <message>
    <source>mean residual</source>
@@ -4885,7 +4815,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
-   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n} offen</numerusform>
     <numerusform>{n} offen</numerusform>
@@ -4893,33 +4823,33 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>{shown:,} von {frames}</translation>
   </message>
   <message>
    <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>alle fertig</translation>
-  </message>
-  <message>
-   <source>⚠ unreadable</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ unlesbar</translation>
-  </message>
-  <message>
-   <source>⚠ camera</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ Kamera</translation>
   </message>
   <message>
    <source>not annotated</source>
    <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>nicht annotiert</translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ unlesbar</translation>
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ Kamera</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frame_rows.py]</extracomment>
    <translation>
     <numerusform>{n:,} fertig</numerusform>
     <numerusform>{n:,} fertig</numerusform>
@@ -4927,58 +4857,58 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>● not saved</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>● nicht gespeichert</translation>
   </message>
   <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
-   <translation>Bilder filtern</translation>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>das Bild ist unlesbar</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Bilder</translation>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>mittlerer JaC {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>eingeklappt</translation>
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>aufgeklappt</translation>
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>Bilder filtern</translation>
   </message>
   <message>
    <source>No frames.
 Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Keine Bilder.
 Öffnen Sie einen Ordner mit Bildern (jpg, png, bmp, webp), oder ziehen Sie einen hierher.</translation>
   </message>
   <message>
    <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Nichts passt zu „{query}“.</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Bilder</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>
     <numerusform>{frames} in {n:,} Ordner</numerusform>
     <numerusform>{frames} in {n:,} Ordnern</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>the picture cannot be read</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>das Bild ist unlesbar</translation>
-  </message>
-  <message>
-   <source>mean JaC {jac:.3f}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>mittlerer JaC {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>folded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>eingeklappt</translation>
-  </message>
-  <message>
-   <source>unfolded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>aufgeklappt</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -5021,12 +4951,17 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Trianguliert aus {frames}</translation>
   </message>
   <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Andere Ansichten dieses Augenblicks: mit einem Klick hingehen</translation>
+  </message>
+  <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>{title} ist noch in keinem Bild geklickt: klicken Sie sie in zwei kalibrierten Ansichten, damit sie trianguliert wird.</translation>
   </message>
   <message>
-   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name next to Add to triangulate it.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Hier geklickt, aber noch keine Landmarken: {names}. Schreiben Sie einen Namen neben Hinzufügen, damit sie trianguliert werden.</translation>
   </message>
@@ -5041,11 +4976,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Vermessen</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Landmarken</translation>
-  </message>
-  <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Neue Landmarke</translation>
@@ -5054,11 +4984,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Hinzufügen</translation>
-  </message>
-  <message>
-   <source>Have a new landmark, to be clicked (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Eine neue Landmarke anlegen, zum Klicken (Eingabe)</translation>
   </message>
   <message>
    <source>What people call it</source>
@@ -5076,24 +5001,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Setzen</translation>
   </message>
   <message>
-   <source>The place was measured: it stays as it is from now on (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Der Ort wurde vermessen: er bleibt ab jetzt, wie er ist (Eingabe)</translation>
-  </message>
-  <message>
    <source>Triangulate</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Triangulieren</translation>
-  </message>
-  <message>
-   <source>Forget this landmark; clicks on it stay in the annotations</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Diese Landmarke vergessen; Klicks darauf bleiben in den Annotationen</translation>
-  </message>
-  <message>
-   <source>Other views of this instant: go to one with a click</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Andere Ansichten dieses Augenblicks: mit einem Klick hingehen</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
@@ -5126,7 +5036,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Eine Landmarke in der Liste wählen, damit sie trianguliert wird.</translation>
   </message>
   <message>
-   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <source>Only a landmark that has a name can be triangulated: write one next to Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Nur eine Landmarke mit Namen lässt sich triangulieren: schreiben Sie einen neben Hinzufügen.</translation>
   </message>
@@ -5137,6 +5047,26 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
     <numerusform>{names} und {n} weitere</numerusform>
     <numerusform>{names} und {n} weitere</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Landmarken</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Eine neue Landmarke anlegen, zum Klicken (Eingabe)</translation>
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Der Ort wurde vermessen: er bleibt ab jetzt, wie er ist (Eingabe)</translation>
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Diese Landmarke vergessen; Klicks darauf bleiben in den Annotationen</translation>
   </message>
   <message>
    <source>Title</source>
@@ -5159,7 +5089,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Wird trianguliert…</translation>
   </message>
   <message>
-   <source>a landmark needs a name: write one beside Add</source>
+   <source>a landmark needs a name: write one next to Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>eine Landmarke braucht einen Namen: schreiben Sie einen neben Hinzufügen</translation>
   </message>
@@ -5172,164 +5102,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>die Landmarke {title}</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC über tau</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC über die Bilder</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Noch keine Bewertungen. Sie werden Bild für Bild im Hintergrund berechnet.</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>{name} (Bild {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Bild</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Jede Kurve ist das Mittel der Bilder, für die die Quelle eine Kamera hat.</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Schattiert: 95-%-Bänder, {drawn}.</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Verborgen: der Blindmodus zeigt nur abgegebene Bilder, und keines davon ist in diesem Diagramm.</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Verborgen: im Blindmodus erscheint dieses Diagramm, sobald dieses Bild abgegeben ist.</translation>
-  </message>
-  <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Einstellungen sind an den Namen erkannt, denn {error}.</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Fehler als Histogramm</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Punkt ohne Abstand ausgelassen.</numerusform>
-    <numerusform>{n:,} Punkte ohne Abstand ausgelassen.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Residuen über dem Bild</translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Reprojektionsfehler (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Punkte</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Der letzte Balken fasst alle größeren Fehler.</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{px:g} px oder mehr</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} von {total:,}</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Kein Punkt von {element} in diesem Bild.</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Bisher kein Punkt von {element}.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Kein annotierter Punkt in diesem Bild, den eine gezeigte Quelle projiziert.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Bisher kein annotierter Punkt, den eine gezeigte Quelle projiziert.</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Pfeile länger gezeichnet</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
-  </message>
-  <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>automatisch</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: vom Klick zur Projektion.</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: das mediane Residuum jedes Bildteils mit 5 Punkten oder mehr.</translation>
-  </message>
-  <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Noch zu wenige Punkte: fünf in einem Bildteil ergeben einen Pfeil.</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
@@ -5372,9 +5144,177 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{frames}, soweit bewertet</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Verborgen: der Blindmodus zeigt nur abgegebene Bilder, und keines davon ist in diesem Diagramm.</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint dieses Diagramm, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
    <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
    <translation>Quellen: {names}</translation>
+  </message>
+  <message>
+   <source>Shots are recognized by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Einstellungen sind an den Namen erkannt, denn {error}.</translation>
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC über tau</translation>
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC über die Bilder</translation>
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Noch keine Bewertungen. Sie werden Bild für Bild im Hintergrund berechnet.</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Fehler als Histogramm</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Punkt ohne Abstand ausgelassen.</numerusform>
+    <numerusform>{n:,} Punkte ohne Abstand ausgelassen.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Residuen über dem Bild</translation>
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} (Bild {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pfeile länger gezeichnet</translation>
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau (px)</translation>
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Reprojektionsfehler (px)</translation>
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Punkte</translation>
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Der letzte Balken fasst alle größeren Fehler.</translation>
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{px:g} px oder mehr</translation>
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} {part:,} von {total:,}</translation>
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Kein Punkt von {element} in diesem Bild.</translation>
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Bisher kein Punkt von {element}.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Kein annotierter Punkt in diesem Bild, den eine gezeigte Quelle projiziert.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Bisher kein annotierter Punkt, den eine gezeigte Quelle projiziert.</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>automatisch</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: vom Klick zur Projektion.</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: das mediane Residuum jedes Bildteils mit 5 Punkten oder mehr.</translation>
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Jede Kurve ist das Mittel der Bilder, für die die Quelle eine Kamera hat.</translation>
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Schattiert: 95-%-Bänder, {drawn}.</translation>
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Noch zu wenige Punkte: fünf in einem Bildteil ergeben einen Pfeil.</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Das Diagramm und seine Zahlen kopieren oder speichern</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Nur die Punkte eines Elements auftragen</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
@@ -5392,41 +5332,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Sichern</translation>
   </message>
   <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Das Diagramm und seine Zahlen kopieren oder speichern</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Das Diagramm kopieren oder speichern</translation>
-  </message>
-  <message>
    <source>Plot</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Diagramm</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Das gezeigte Bild auftragen, oder alle bisher bewerteten</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Nur die Punkte eines Elements auftragen</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Öffnen Sie einen Ordner mit Bildern, um Diagramme zu sehen.</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Keine Kamera zu beurteilen.
-Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation>
   </message>
   <message>
    <source>This plot could not be computed: {error}.</source>
@@ -5437,6 +5345,11 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <source>({n:,} committed)</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>({n:,} abgegeben)</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Das Diagramm kopieren oder speichern</translation>
   </message>
   <message>
    <source>Copy picture</source>
@@ -5459,6 +5372,11 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Zahlen speichern…</translation>
   </message>
   <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Das gezeigte Bild auftragen, oder alle bisher bewerteten</translation>
+  </message>
+  <message>
    <source>Computing…</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Wird berechnet…</translation>
@@ -5474,7 +5392,7 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>(ohne Bewertung)</translation>
   </message>
   <message>
-   <source>Nobody has edited this frame here</source>
+   <source>This frame has not been edited here</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Hier hat noch niemand dieses Bild bearbeitet</translation>
   </message>
@@ -5514,34 +5432,9 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>{seconds} s</translation>
   </message>
   <message>
-   <source>Committed in blind mode by {author}</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Im Blindmodus abgegeben von {author}</translation>
-  </message>
-  <message>
-   <source>{minutes}:{seconds:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{minutes}:{seconds:02d} min</translation>
-  </message>
-  <message>
-   <source>Time worked on this frame; pauses over 30 s do not count</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>An diesem Bild gearbeitete Zeit; Pausen über 30 s zählen nicht</translation>
-  </message>
-  <message>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Wie die Punkte dieses Bildes entstanden</translation>
-  </message>
-  <message>
-   <source>Comments</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Kommentare</translation>
-  </message>
-  <message>
-   <source>No comments on this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Keine Kommentare zu diesem Bild.</translation>
   </message>
   <message>
    <source>Comment on this frame</source>
@@ -5554,9 +5447,29 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Den Kommentar anfügen (Eingabe)</translation>
   </message>
   <message>
-   <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Öffnen Sie zuerst einen Ordner mit Bildern.</translation>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Im Blindmodus abgegeben von {author}</translation>
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{minutes}:{seconds:02d} min</translation>
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Keine Kommentare zu diesem Bild.</translation>
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>An diesem Bild gearbeitete Zeit; Pausen über 30 s zählen nicht</translation>
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Kommentare</translation>
   </message>
   <message>
    <source>Points: {kinds}</source>
@@ -5685,9 +5598,9 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Kamera und Klicks sind in diesem Bild richtig</translation>
   </message>
   <message>
-   <source>Scores by element</source>
+   <source>What causes the score of this frame; saved with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Bewertung je Element</translation>
+   <translation>Woran die Bewertung dieses Bildes liegt; wird beim Datensatz aufbewahrt</translation>
   </message>
   <message>
    <source>Precision</source>
@@ -5735,14 +5648,19 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Punkte: {kinds}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Fehler</translation>
+   <translation>{verdict}; noch einmal nimmt es zurück ({key})</translation>
   </message>
   <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Woran die Bewertung dieses Bildes liegt; wird beim Datensatz aufbewahrt</translation>
+   <translation>Urteil: {verdict}</translation>
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Bewertung je Element</translation>
   </message>
   <message>
    <source>Copy this explanation</source>
@@ -5753,11 +5671,6 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <source>Copy all explanations</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Alle Erklärungen kopieren</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Öffnen Sie einen Ordner mit Bildern, um Bewertungen zu sehen.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -5777,14 +5690,14 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Keine Anpassung zu beurteilen: {why}.</translation>
   </message>
   <message>
-   <source>Verdict: {verdict}</source>
+   <source>Counts as {class_name}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Urteil: {verdict}</translation>
+   <translation>Zählt als {class_name}</translation>
   </message>
   <message>
-   <source>{verdict}; once more takes it back ({key})</source>
+   <source>Fault</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>{verdict}; noch einmal nimmt es zurück ({key})</translation>
+   <translation>Fehler</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5800,11 +5713,6 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <source>Annotated elements that the camera does not project</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Annotierte Elemente, die die Kamera nicht projiziert</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Zählt als {class_name}</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -5891,49 +5799,34 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Annotieren</translation>
   </message>
   <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>blind: die Kamera ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>laden Sie zuerst Kameras: es gibt nichts zu bewerten</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>die laufende Anpassung ist aus (Strg+T)</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>{text}.</translation>
+  </message>
+  <message>
    <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
    <translation>unerwarteter Fehler ({what})</translation>
-  </message>
-  <message>
-   <source>{who} unlocked this dataset from blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} hat am {day} den Blindmodus dieses Datensatzes aufgehoben</translation>
-  </message>
-  <message>
-   <source>{reason}: there is no live fit in it</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}: darin gibt es keine laufende Anpassung</translation>
-  </message>
-  <message>
-   <source>Somebody</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>Jemand</translation>
-  </message>
-  <message>
-   <source>{who} locked this dataset to blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} hat diesen Datensatz am {day} auf Blindmodus festgelegt</translation>
-  </message>
-  <message>
-   <source>This dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>Dieser Datensatz ist auf Blindmodus festgelegt</translation>
-  </message>
-  <message>
-   <source>{reason}: menu Frame unlocks it, which is recorded</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}: das Menü Bild hebt es auf, was vermerkt wird</translation>
-  </message>
-  <message>
-   <source>this dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>dieser Datensatz ist auf Blindmodus festgelegt</translation>
-  </message>
-  <message>
-   <source>this dataset is not locked to blind mode any more</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>dieser Datensatz ist nicht mehr auf Blindmodus festgelegt</translation>
   </message>
   <message>
    <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
@@ -6101,11 +5994,6 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Beide Kameras sind in diesem Bild gleich.</translation>
   </message>
   <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Blind: verborgen, bis dieses Bild abgegeben ist.</translation>
-  </message>
-  <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>Keine Quelle wird beurteilt: wählen Sie zuerst eine.</translation>
@@ -6119,11 +6007,6 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <source>The fitted camera sees no part of the field.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>Die angepasste Kamera sieht keinen Teil des Feldes.</translation>
-  </message>
-  <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Die laufende Anpassung ist aus, daher keine Karte der Unsicherheit (Strg+T schaltet sie ein).</translation>
   </message>
   <message>
    <source>There is no fit of this frame, so no uncertainty map.</source>
@@ -6166,38 +6049,28 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>kein anderes Feld kennt die Klassen hier besser</translation>
   </message>
   <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>jedes Bild nach diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>jedes Bild vor diesem ist annotiert</translation>
-  </message>
-  <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>{folder} ist nicht beschreibbar: nichts, was hier annotiert wird, lässt sich speichern</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>noch ist nicht alles gespeichert: der andere Datensatz wurde nicht geöffnet</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>noch ist nicht alles gespeichert: das Video wurde nicht geöffnet</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>nichts ist geöffnet</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>das Feld dieses Datensatzes: {field}</translation>
   </message>
   <message>
@@ -6206,14 +6079,14 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>{title}: seine Linie konnte nicht gesucht werden: {why}</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
-   <translation>die laufende Anpassung ist aus</translation>
-  </message>
-  <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
    <translation>die Anpassung misslang: {why}</translation>
+  </message>
+  <message>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} hat am {day} den Blindmodus dieses Datensatzes aufgehoben</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -6224,6 +6097,26 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>nur für Sie: der Ordner des Datensatzes ist nicht beschreibbar</translation>
+  </message>
+  <message>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}: darin gibt es keine laufende Anpassung</translation>
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>Dieser Datensatz ist auf Blindmodus festgelegt</translation>
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>Jemand</translation>
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} hat diesen Datensatz am {day} auf Blindmodus festgelegt</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
@@ -6241,14 +6134,29 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>nur in diesem Fenster: nichts lässt sich schreiben</translation>
   </message>
   <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
-   <translation>{path}: keine Kameras darin ({what_to_do})</translation>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>dieser Datensatz ist nicht mehr auf Blindmodus festgelegt</translation>
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}: das Menü Bild hebt es auf, was vermerkt wird</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>dieser Datensatz ist auf Blindmodus festgelegt</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
    <translation>{path}: keine Kamera heißt wie ein Bild (Kameras heißen wie {camera!r}, Bilder wie {frame!r})</translation>
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
+   <translation>{path}: keine Kameras darin ({what_to_do})</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -6289,61 +6197,6 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Annotation ist unlesbar</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Geist von {title}</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Annehmen</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Genau ansehen</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
-   <translation>Hier nicht sichtbar</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title} wird gezeichnet</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Hier teilen: der Rest wird</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Hier nicht sichtbar: zurücknehmen</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Klasse ändern in (tauscht mit einer annotierten)</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Punkt {number} von {title}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Vereinen mit</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title}, unbestätigt</translation>
-  </message>
-  <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Eingabe führt aus · ↑ ↓ wählt · Esc schließt</translation>
@@ -6364,16 +6217,6 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Öffnen</translation>
   </message>
   <message>
-   <source>Nothing is called “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Nichts heißt „{text}“.</translation>
-  </message>
-  <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Bild {number} von {count}</translation>
-  </message>
-  <message>
    <source>An action, element, frame, camera source, folder, number</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Aktion, Element, Bild, Kameraquelle, Ordner, Zahl</translation>
@@ -6384,14 +6227,34 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Alles finden</translation>
   </message>
   <message>
-   <source>What fits</source>
+   <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Was passt</translation>
+   <translation>Nichts heißt „{text}“.</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Schwelle {px:g} px</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Bild {number} von {count}</translation>
   </message>
   <message>
    <source>Go to this frame</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Zu diesem Bild gehen</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Elemente mit diesem tau beurteilen</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Was passt</translation>
   </message>
   <message>
    <source>Judge {source}</source>
@@ -6424,24 +6287,29 @@ Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation
    <translation>Diesen Bereich öffnen und nach vorn holen</translation>
   </message>
   <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Schwelle {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Elemente mit diesem tau beurteilen</translation>
-  </message>
-  <message>
    <source>on</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>an</translation>
   </message>
   <message>
    <source>off</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>aus</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action guide]</extracomment>
+   <translation>Handbuch</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Wörter auf dieser Seite suchen</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Das Handbuch ist auf Englisch.</translation>
   </message>
   <message>
    <source>this installation came without its user guide</source>
@@ -6461,6 +6329,11 @@ Annotate and audit sports-camera calibrations.</source>
 Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.</translation>
   </message>
   <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Überschriften</translation>
+  </message>
+  <message>
    <source>no cameras are loaded (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
    <translation>keine Kameras geladen (Strg+L)</translation>
@@ -6476,26 +6349,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>laden Sie einen zweiten Kamerasatz zum Vergleichen (Strg+L)</translation>
   </message>
   <message>
-   <source>Find words in this page</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Wörter auf dieser Seite suchen</translation>
-  </message>
-  <message>
-   <source>The user guide is in English.</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Das Handbuch ist auf Englisch.</translation>
-  </message>
-  <message>
-   <source>User guide</source>
-   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
-   <translation>Handbuch</translation>
-  </message>
-  <message>
-   <source>Headings</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Überschriften</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Eigene Tasten</translation>
@@ -6506,11 +6359,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Tasten (*.json)</translation>
   </message>
   <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Im Bild</translation>
-  </message>
-  <message>
    <source>{menu}: {action}</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}: {action}</translation>
@@ -6519,6 +6367,16 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <source>Search: a word, or a key. A click does what a row says.</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Suche: ein Wort oder eine Taste. Ein Klick tut, was die Zeile sagt.</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Im Bild</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Keine Taste, keine Aktion und kein Element hat „{text}“.</translation>
   </message>
   <message>
    <source>Search: a word, or a key</source>
@@ -6541,29 +6399,9 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Tasten</translation>
   </message>
   <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Tasten durchsuchen</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Keine Taste, keine Aktion und kein Element hat „{text}“.</translation>
-  </message>
-  <message>
    <source>Change keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Tasten ändern</translation>
-  </message>
-  <message>
-   <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Suche</translation>
-  </message>
-  <message>
-   <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Alle Tasten auf einmal</translation>
   </message>
   <message>
    <source>Only these</source>
@@ -6601,14 +6439,24 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Tasten importieren</translation>
   </message>
   <message>
-   <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>⚠ auch: {what}</translation>
-  </message>
-  <message>
    <source>New keys: press them here</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Neue Tasten: hier drücken</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Tasten durchsuchen</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Suche</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Alle Tasten auf einmal</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
@@ -6621,69 +6469,79 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Aktion oder Element</translation>
   </message>
   <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>⚠ auch: {what}</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Klasse ändern in (tauscht mit einer annotierten)</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title} wird gezeichnet</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Hier teilen: der Rest wird</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Geist von {title}</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Annehmen</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Genau ansehen</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/menus.py, the action not_visible]</extracomment>
+   <translation>Hier nicht sichtbar</translation>
+  </message>
+  <message>
    <source>{action}: {step}</source>
    <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{action}: {step}</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>unerwarteter Fehler ({what}); es wird weiter gespeichert, Einzelheiten stehen in {path}</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Punkt {number} von {title}</translation>
   </message>
   <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>die Einzelheiten sind kopiert; sie stehen auch in {path}</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Hier nicht sichtbar: zurücknehmen</translation>
   </message>
   <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>es gab keinen unerwarteten Fehler; protokolliert werden sie in {path}</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Vereinen mit</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
-  </message>
-  <message>
-   <source>Search the settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Einstellungen durchsuchen</translation>
-  </message>
-  <message>
-   <source>{setting}: back to {value}</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>{setting}: zurück auf {value}</translation>
-  </message>
-  <message>
-   <source>Settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Einstellungen</translation>
-  </message>
-  <message>
-   <source>All to their defaults</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Alle auf die Vorgaben</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
-   <translation>Tasten ändern…</translation>
-  </message>
-  <message>
-   <source>No setting has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Keine Einstellung hat „{text}“.</translation>
-  </message>
-  <message>
-   <source>none of your own</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>kein eigener</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title}, unbestätigt</translation>
   </message>
   <message>
    <source>ground ±{metres:.2f} m</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>Boden ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>unerwarteter Fehler ({what}); es wird weiter gespeichert, Einzelheiten stehen in {path}</translation>
   </message>
   <message>
    <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
@@ -6735,9 +6593,24 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Esc beendet es</translation>
   </message>
   <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>Werkzeugleiste</translation>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Dieses Bild lässt sich nicht bearbeiten. {problem}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>die Einzelheiten sind kopiert; sie stehen auch in {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>es gab keinen unerwarteten Fehler; protokolliert werden sie in {path}</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
   </message>
   <message>
    <source>Picture
@@ -6745,6 +6618,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
    <translation>Bild
 Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Werkzeugleiste</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -6757,19 +6635,24 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Schwelle tau: ein Element besteht, wenn alle seine Punkte näher liegen (+ und -)</translation>
   </message>
   <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>gespeichert {time}</translation>
-  </message>
-  <message>
    <source>The camera set that is judged (C switches)</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Der Kamerasatz, der beurteilt wird (C wechselt)</translation>
   </message>
   <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Status dieses Bildes (Bereich Durchsicht)</translation>
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Womit die Bewertung berechnet ist: {terms}</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>gespeichert {time}</translation>
   </message>
   <message numerus="yes">
    <source>NOT SAVED: {n} frames</source>
@@ -6785,11 +6668,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Obere Leiste</translation>
   </message>
   <message>
-   <source>Status of this frame (panel Review)</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Status dieses Bildes (Bereich Durchsicht)</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Feld: {field}</translation>
@@ -6800,19 +6678,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Klicken, um ein anderes zu wählen</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Schwelle tau</translation>
-  </message>
-  <message>
    <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; der Anpassung</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6820,9 +6688,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>speichert...</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
+   <translation>Schwelle tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; der Anpassung</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6830,12 +6703,17 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>keine Änderungen</translation>
   </message>
   <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
+  </message>
+  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Einen Ordner mit Bildern hierher ziehen</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Annotationen werden als SoccerNet-JSON neben den Bildern gelesen und gespeichert. Ein Ordner mit Kameras, später hierher gezogen, wird an Ihren Klicks gemessen.</translation>
   </message>
@@ -6873,6 +6751,41 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>Nothing was opened yet</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Noch nichts geöffnet</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>{setting}: zurück auf {value}</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Keine Einstellung hat „{text}“.</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Einstellungen</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Einstellungen durchsuchen</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Alle auf die Vorgaben</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>kein eigener</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py, the action keymap]</extracomment>
+   <translation>Tasten ändern…</translation>
   </message>
   <message>
    <source>Scores</source>
@@ -7288,7 +7201,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Klick tut nichts: es gibt keine Punkte zu bearbeiten, zeichnen Sie zuerst ein Element</translation>
   </message>
   <message>
-   <source>click a point to drag it, beside it to let go</source>
+   <source>click a point to drag it, next to it to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>einen Punkt klicken, um ihn zu ziehen, daneben, um loszulassen</translation>
   </message>
@@ -7359,7 +7272,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Klick markiert es</translation>
   </message>
   <message>
-   <source>hold Ctrl to click beside the line</source>
+   <source>hold Ctrl to click off the line</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Strg halten, um neben die Linie zu klicken</translation>
   </message>
@@ -7557,7 +7470,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Zweiten Annotator öffnen…</translation>
   </message>
   <message>
-   <source>Draw and compare what somebody else clicked in the same frames</source>
+   <source>Draw and compare what another annotator clicked in the same frames</source>
    <extracomment>[the action open_second]</extracomment>
    <translation>Zeichnen und vergleichen, was jemand anders in denselben Bildern geklickt hat</translation>
   </message>
@@ -8012,7 +7925,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Nächstes ohne Annotation</translation>
   </message>
   <message>
-   <source>Go on to the next frame where nothing is annotated</source>
+   <source>Go to the next frame without annotations</source>
    <extracomment>[the action next_unannotated]</extracomment>
    <translation>Zum nächsten Bild, in dem nichts annotiert ist</translation>
   </message>
@@ -8022,7 +7935,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Voriges ohne Annotation</translation>
   </message>
   <message>
-   <source>Go back to the frame before where nothing is annotated</source>
+   <source>Go to the previous frame without annotations</source>
    <extracomment>[the action previous_unannotated]</extracomment>
    <translation>Zurück zum vorigen Bild, in dem nichts annotiert ist</translation>
   </message>
@@ -8127,7 +8040,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Nächstes zweifelhaftes Bild</translation>
   </message>
   <message>
-   <source>Go on to the next frame whose track should be looked at</source>
+   <source>Go to the next frame whose track should be checked</source>
    <extracomment>[the action next_doubtful]</extracomment>
    <translation>Zum nächsten Bild, dessen Spur angesehen werden sollte</translation>
   </message>
@@ -8257,7 +8170,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Dieses Videobild behalten</translation>
   </message>
   <message>
-   <source>Write the frame of the video as a picture beside its annotation</source>
+   <source>Write the frame of the video as a picture next to its annotation</source>
    <extracomment>[the action keep_frame]</extracomment>
    <translation>Das Bild des Videos als Bilddatei neben seine Annotation schreiben</translation>
   </message>
@@ -8287,7 +8200,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Unbestätigte Elemente verwerfen</translation>
   </message>
   <message>
-   <source>Throw away what was copied and nobody touched</source>
+   <source>Remove copied elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
    <translation>Wegwerfen, was kopiert und nicht angefasst wurde</translation>
   </message>
@@ -8452,7 +8365,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>An Linien einrasten</translation>
   </message>
   <message>
-   <source>Clicks near a painted line go to its centre (hold Ctrl to click beside it)</source>
+   <source>Clicks near a painted line go to its centre (hold Ctrl to click off it)</source>
    <extracomment>[the action snapping, the setting snapping]</extracomment>
    <translation>Klicks nahe einer gemalten Linie gehen auf deren Mitte (Strg halten, um daneben zu klicken)</translation>
   </message>
@@ -8722,7 +8635,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Linienbreite</translation>
   </message>
   <message>
-   <source>Draw how wide the paint of the field's lines must appear, beside the projection</source>
+   <source>Draw how wide the field's lines must appear, along the projection</source>
    <extracomment>[the action painted_width, the setting painted_width]</extracomment>
    <translation>Neben der Projektion zeigen, wie breit die Farbe der Feldlinien erscheinen muss</translation>
   </message>
@@ -8772,9 +8685,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Bilderstreifen</translation>
   </message>
   <message>
-   <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
+   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Unter dem Bild: bei einem Video oder aufeinanderfolgenden Bildern, wie gut ihre Kameras sind und wo annotiert ist; bei anderen kleine Bilder mit ihrem Zustand</translation>
+   <translation>Unter dem Bild: bei einem Video oder aufeinanderfolgenden Bildern, wie gut ihre Kameras sind und wo annotiert ist</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
@@ -8917,7 +8830,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Andere Quellen zeichnen</translation>
   </message>
   <message>
-   <source>Draw the sources ticked in the Cameras panel as wireframes beside the active one</source>
+   <source>Draw the sources ticked in the Cameras panel as wireframes, with the active one</source>
    <extracomment>[the action others]</extracomment>
    <translation>Die im Bereich Kameras angehakten Quellen als Drahtgitter neben der aktiven zeichnen</translation>
   </message>

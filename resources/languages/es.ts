@@ -772,7 +772,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>retirado</translation>
   </message>
   <message>
@@ -827,7 +827,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Imagen</translation>
   </message>
   <message>
@@ -837,7 +837,7 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, the menus]</extracomment>
    <translation>Ver</translation>
   </message>
   <message>
@@ -864,11 +864,6 @@
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
    <translation>retirado: la cámara está como antes de arrastrarla</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
-   <translation>modo ciego: no se muestra ninguna cámara</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
@@ -1230,47 +1225,47 @@
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>nada cambió: ya era regular, o no se halló allí ninguna línea pintada</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} copiado de {frame}, según el seguimiento; Mayús+V confirma todos</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} copiado de {frame}, movido con la cámara; Mayús+V confirma todos</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} copiado de {frame}, tal como estaba: no se halló movimiento; Mayús+V confirma todos</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>retirado: no se regulariza nada</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>retirado: no se copia nada</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>se dejó la imagen: no se regularizó nada</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>se dejó la imagen: no se copió nada</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{n} punto sin confirmar por la pintura</numerusform>
     <numerusform>{n} puntos sin confirmar por la pintura</numerusform>
@@ -1278,22 +1273,22 @@
   </message>
   <message>
    <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>regularizar {what}</translation>
   </message>
   <message>
    <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>copiar de {frame}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>elija primero un elemento anotado</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/versions.py]</extracomment>
    <translation>
     <numerusform>{n} elemento</numerusform>
     <numerusform>{n} elementos</numerusform>
@@ -1301,7 +1296,7 @@
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{what} regularizado: {n} punto</numerusform>
     <numerusform>{what} regularizado: {n} puntos</numerusform>
@@ -1309,52 +1304,47 @@
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{element} tiene esquinas o es un solo lugar: queda como está</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>aquí no hay anotado ningún elemento del campo</translation>
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>ninguna imagen antes de esta está anotada</translation>
   </message>
   <message>
    <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} no tiene ningún elemento que falte aquí</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} pasa a {other}</translation>
   </message>
   <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
-   <translation>intercambiar {element} y {other}</translation>
-  </message>
-  <message>
    <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>duplicar {element} como {other}</translation>
   </message>
   <message>
    <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>unir {element} con {other}</translation>
   </message>
   <message>
    <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>cerrar huecos</translation>
   </message>
   <message numerus="yes">
    <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>confirmar {n} elemento</numerusform>
     <numerusform>confirmar {n} elementos</numerusform>
@@ -1362,7 +1352,7 @@
   </message>
   <message numerus="yes">
    <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>descartar {n} elemento sin confirmar</numerusform>
     <numerusform>descartar {n} elementos sin confirmar</numerusform>
@@ -1370,27 +1360,32 @@
   </message>
   <message>
    <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Nombre de la línea</translation>
   </message>
   <message>
    <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>¿Qué línea es esta?</translation>
   </message>
   <message>
    <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} es una curva, que dos puntos no muestran: siga haciendo clic</translation>
   </message>
   <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation>intercambiar {element} y {other}</translation>
+  </message>
+  <message>
    <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} es su propia clase simétrica</translation>
   </message>
   <message numerus="yes">
    <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{elements} ya está anotado</numerusform>
     <numerusform>{elements} ya están anotados</numerusform>
@@ -1398,27 +1393,27 @@
   </message>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} está donde {other}: arrástrelo a su sitio</translation>
   </message>
   <message>
    <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>invertir {element}</translation>
   </message>
   <message>
    <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>elija primero el punto por el que dividir (modo editar)</translation>
   </message>
   <message>
    <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>dividir {element}</translation>
   </message>
   <message numerus="yes">
    <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} elemento confirmado</numerusform>
     <numerusform>{n} elementos confirmados</numerusform>
@@ -1426,22 +1421,22 @@
   </message>
   <message>
    <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>no hay nada sin confirmar en esta imagen</translation>
   </message>
   <message>
    <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} ya está anotado</translation>
   </message>
   <message>
    <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>ningún extremo está tan cerca de una esquina o del borde de la imagen</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} elemento sin confirmar descartado</numerusform>
     <numerusform>{n} elementos sin confirmar descartados</numerusform>
@@ -1449,651 +1444,70 @@
   </message>
   <message>
    <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Dejarla sin nombre</translation>
   </message>
   <message>
    <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>un elemento se divide por un punto entre sus extremos, en una clase libre</translation>
   </message>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} se cambió en otra parte: mírelo de nuevo</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} punto</numerusform>
-    <numerusform>{n} puntos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}: {points}, línea vista en un {share:.0%}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} extremo de {elements} no se ve: los puntos acaban antes</numerusform>
-    <numerusform>{n} extremos de {elements} no se ven: los puntos acaban antes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>la cámara es otra entretanto</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>aceptar {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} fantasma</numerusform>
-    <numerusform>{n} fantasmas</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} de {total} fantasmas</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} aceptado</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} extremo no se ve: los puntos acaban antes</numerusform>
-    <numerusform>{n} extremos no se ven: los puntos acaban antes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>la imagen se editó entretanto</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>buscar la línea en {frame} llevó demasiado tiempo</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} no está aceptado: {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Aceptar todos los fantasmas</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>Cuánto de la línea de un fantasma debe verse para aceptarlo con todos los demás (%):</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}: no se halla ninguna línea pintada en él; márquelo a mano, o diga que no es visible aquí (.)</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>se está ajustando la cámara: acepte sus fantasmas en un momento</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma, se ve menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} aceptado en {frame}</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma: no hay imagen en que buscar sus líneas</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma: {why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} no está aceptado</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>el fantasma está aceptado: acepte los fantasmas del nuevo ajuste</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>lo que se dibujaba está terminado: acepte los fantasmas del nuevo ajuste</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} estará aceptado cuando se hallen sus puntos</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>vaya primero a un fantasma (Tab) o elija un elemento</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>ese era el primer fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
-    <numerusform>ese era el primer fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos, o siga el plano (T)</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>ese era el último fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
-    <numerusform>ese era el último fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>abra primero una carpeta de imágenes</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>se está ajustando la cámara: los fantasmas llegan en un momento</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: se busca la cámara en la imagen</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: {why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: lo demás que está a la vista está anotado, o no se conoce lo bastante bien</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: anote tres o cuatro elementos y de ellos sale una cámara</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas en modo ciego hasta entregar la imagen (Ctrl+Intro)</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: el ajuste continuo está desactivado (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: están desactivados (Elemento &gt; Fantasmas &gt; Mostrar fantasmas)</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>las superposiciones están ocultas: no se ve ningún fantasma (Ctrl+H, o suelte X)</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>termine primero lo que se dibuja (Intro), o cancélelo (Esc)</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: no se pudo ajustar ninguna cámara</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>aún no se ajusta ninguna cámara</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>se está dibujando a mano</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} está anotado aquí: bórrelo primero (Ctrl+Supr)</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} no es visible aquí; Ctrl+. lo retira</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} quizá vuelva a ser visible aquí</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>de ningún elemento de esta imagen se dijo que no fuera visible</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ese era el último fantasma</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>vaya primero a un fantasma (Tab)</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{off}; elija primero un elemento</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Conservar el campo y no decir más de estas clases</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>El conjunto lo recuerda y no se vuelve a preguntar</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>No, {field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>El campo de este conjunto</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Descripciones de campos (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>¿Es esto {field}? Las clases anotadas aquí son las de {field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{why}, pero decide {file} en la carpeta del conjunto</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Sí, {field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Cambiar a {field}</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{problem}; el campo quedó como estaba: {field}</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Las puntuaciones difieren entonces de las del campo nominal ({nominal}), que es el de las evaluaciones oficiales; dicen con qué dimensiones se calcularon.</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Dimensiones propias (stadiums.csv): {frames} de {stadiums}. Lo que se introduce aquí vale para todas las demás, y para lo que los estadios dejan abierto.</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Las puntuaciones difieren entonces de las evaluaciones oficiales, que toman las líneas donde las miden las reglas; lo dicen.</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Las reglas miden muchas líneas en un borde de su pintura. Los clics se ponen en el medio, a media anchura de pintura: elíjalo donde eso importa, como en pabellones y cerca de la cámara.</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Solo la longitud y la anchura se hallan con las imágenes, y las reglas fijan las de este campo</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imagen.</numerusform>
-    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imágenes.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>donde miden las reglas</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>el medio de la pintura</translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>Con la cámara de {n} imagen; ± es una desviación típica.</numerusform>
-    <numerusform>Con las cámaras de {n} imágenes; ± es una desviación típica.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>{remark}; quedó como estaba.</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Dimensiones del campo: {field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Estimar con este conjunto</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Conservar para este conjunto</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Nominal</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>El campo que toman las evaluaciones oficiales</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>nominal {nominal:g} m, las reglas permiten de {minimum:g} a {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>&lt;b&gt;no {number:g} m: las reglas permiten de {minimum:g} a {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} imagen</numerusform>
-    <numerusform>{n} imágenes</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} estadio</numerusform>
-    <numerusform>{n} estadios</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Ciego: las imágenes no entregadas no participaron ({n}).</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Las imágenes que no se pueden leer no participaron: {n}.</translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Los clics están en:</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Detener</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>las reglas fijan todas las dimensiones del campo {field}</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Ciego: el conjunto se mira cuando una de sus imágenes está entregada (Ctrl+Intro).</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Las imágenes de un instante desde distintas cámaras son un grupo. Sus nombres lo dicen según un patrón: &lt;b&gt;{instant}&lt;/b&gt; representa cuándo se tomó una imagen, &lt;b&gt;{view}&lt;/b&gt; la cámara, y todo lo demás a sí mismo. También sirve una expresión regular con &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; y &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt;.</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>No se halló ningún patrón que encaje con estos nombres: escriba uno.</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Lo que dice ahora se pierde, con todo lo demás que hay escrito en él.</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Instante</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen</numerusform>
-    <numerusform>{n:,} imágenes</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} grupo de {least} a {most}</numerusform>
-    <numerusform>{frames} en {n:,} grupos de {least} a {most}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} de {n:,} instante</numerusform>
-    <numerusform>{frames} de {n:,} instantes</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen, sin agrupar.</numerusform>
-    <numerusform>{n:,} imágenes, ninguna agrupada.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} grupo</numerusform>
-    <numerusform>{frames} en {n:,} grupos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Grupos de imágenes</translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} ya existe: {sizes}.</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} agrupa {sizes} desde ahora</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} instante con una sola imagen</numerusform>
-    <numerusform>{n:,} instantes con una sola imagen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} nombre no encaja (al final de la tabla)</numerusform>
-    <numerusform>{n:,} nombres no encajan (al final de la tabla)</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Este nombre no encaja en el patrón: la imagen queda sola</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Agrupar vistas</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Patrón de los nombres de las imágenes</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Escribir {file}</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Conservar estos grupos en la carpeta del conjunto</translation>
-  </message>
-  <message>
    <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>? (queda como está, una clase desconocida)</translation>
   </message>
   <message>
    <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
    <translation>Dejar fuera</translation>
   </message>
   <message>
    <source>Label</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Etiqueta</translation>
   </message>
   <message>
    <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Formas</translation>
   </message>
   <message>
    <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Significa</translation>
   </message>
   <message>
    <source>Why</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Por qué</translation>
   </message>
   <message>
    <source>sure</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>seguro</translation>
   </message>
   <message>
    <source>likely</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>probable</translation>
   </message>
   <message>
    <source>to be said</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>por decir</translation>
   </message>
   <message numerus="yes">
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>
     <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
     <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
@@ -2101,179 +1515,179 @@
   </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Estos nombres se parecen más a los de {field}: elija primero ese campo (Archivo &gt; Campo).</translation>
   </message>
   <message>
    <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Nombres de otro programa</translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Conservar estos nombres con el conjunto ({file})</translation>
   </message>
   <message>
    <source>Import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importar</translation>
   </message>
   <message>
    <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Qué significa {label}</translation>
   </message>
   <message>
    <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Qué resultó</translation>
   </message>
   <message>
    <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importar anotaciones</translation>
   </message>
   <message>
    <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Anotaciones que importar</translation>
   </message>
   <message>
    <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Mirar en los archivos</translation>
   </message>
   <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <source>Only frames without annotations</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Solo imágenes en que aún no hay nada anotado</translation>
   </message>
   <message>
    <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Reemplazar también lo anotado en las demás</translation>
   </message>
   <message>
    <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Lo que había queda entre las versiones anteriores de la imagen, y deshacer lo devuelve</translation>
   </message>
   <message>
    <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Anotaciones</translation>
   </message>
   <message>
    <source>Format</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Formato</translation>
   </message>
   <message>
    <source>Import into</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importar en</translation>
   </message>
   <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
-   <translation>Las imágenes se emparejan por el nombre de su archivo.</translation>
-  </message>
-  <message>
    <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Anotaciones (*.json *.xml *.zip);;Todos los archivos (*)</translation>
   </message>
   <message>
    <source>Export as</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Exportar como</translation>
   </message>
   <message>
    <source>Export…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Exportar…</translation>
   </message>
   <message>
    <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Un archivo zip en lugar de una carpeta</translation>
   </message>
   <message>
    <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Reemplazar los archivos existentes</translation>
   </message>
   <message>
    <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Conservar elementos para los que SoccerNet no tiene clase</translation>
   </message>
   <message>
    <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Anchura de las líneas</translation>
   </message>
   <message>
    <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Copiar también las imágenes</translation>
   </message>
   <message>
    <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Exportar a una carpeta</translation>
   </message>
   <message>
    <source>Keeps {holds}.
 Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Conserva {holds}.
 Pierde {loses}.</translation>
   </message>
   <message>
    <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Añadir estos nombres a {file} del conjunto, escrito de nuevo</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
    <translation>Cancelar</translation>
   </message>
   <message>
    <source>Close</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Cerrar</translation>
   </message>
   <message>
    <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Una carpeta, un archivo zip o un solo archivo</translation>
   </message>
   <message>
    <source>File…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Archivo…</translation>
   </message>
   <message>
    <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Carpeta…</translation>
   </message>
   <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
+   <translation>Las imágenes se emparejan por el nombre de su archivo.</translation>
+  </message>
+  <message>
    <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Archivo zip (*.zip)</translation>
   </message>
   <message>
    <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frames}, {elements} y {points} escritos en {path} ({format}).</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} anotación</numerusform>
     <numerusform>{n:,} anotaciones</numerusform>
@@ -2281,7 +1695,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>JaC de {n:,} imagen</numerusform>
     <numerusform>JaC de {n:,} imágenes</numerusform>
@@ -2289,47 +1703,50 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>No se pudo guardar todo: vale lo que hay en disco.</translation>
   </message>
   <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>No se escribió nada: ninguna imagen está anotada, o ninguna se pudo escribir.</translation>
+  </message>
+  <message>
    <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>el ajuste de {frame} está guardado como {path}</translation>
   </message>
   <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>no hay cámara que guardar: el ajuste aún no está</translation>
-  </message>
-  <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{source} se hace con los clics con que se puntuaría: juzgue las cámaras que puntuar (procc-annotator calibrate ajusta y puntúa un conjunto)</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{annotations} y {scores}</translation>
   </message>
   <message>
    <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>nada: ninguna imagen está anotada</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>exportar: cancelado; los archivos ya escritos siguen ahí</translation>
   </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>No se escribió nada: ninguna imagen está anotada, o ninguna se pudo escribir.</translation>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen</numerusform>
+    <numerusform>{n:,} imágenes</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n:,} elemento</numerusform>
     <numerusform>{n:,} elementos</numerusform>
@@ -2337,45 +1754,30 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} punto</numerusform>
     <numerusform>{n:,} puntos</numerusform>
    </translation>
   </message>
   <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>el ajuste continuo está desactivado (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>ciego: el ajuste está oculto hasta entregar esta imagen (Ctrl+Intro)</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>no hay cámara que guardar: {why}</translation>
-  </message>
-  <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Archivo zip (*.zip);;Carpeta (*)</translation>
   </message>
   <message>
    <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Tabla (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
    <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Exportar el resumen</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen exportada a {path}</numerusform>
     <numerusform>{n:,} imágenes exportadas a {path}</numerusform>
@@ -2383,67 +1785,72 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>el conjunto aún se estaba puntuando: algunas imágenes no tienen JaC todavía</translation>
   </message>
   <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>cargue cámaras primero: no hay nada que puntuar</translation>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>no hay cámara que guardar: el ajuste aún no está</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>ciego: aún no hay ninguna imagen entregada, así que no hay JaC que mostrar</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{what} exportado a {path}</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Cancelado; los archivos ya escritos siguen ahí.</translation>
   </message>
   <message>
    <source>Not written</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>No escrito</translation>
   </message>
   <message>
    <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Lo que el formato no puede guardar</translation>
   </message>
   <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>no hay cámara que guardar: {why}</translation>
+  </message>
+  <message>
    <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>el ajuste se está recalculando: guárdelo en un momento</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame}: la imagen no se puede leer, así que los píxeles de la cámara no corresponden a ningún tamaño; no guardado</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>guardado como {path}, pero las cámaras cargadas no se pudieron leer otra vez: {problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{saved}; está apenas determinado: {why}</translation>
   </message>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>no se pudo guardar todo: la exportación tiene el último estado guardado</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>el modo ciego deja fuera {n:,} imagen aún no entregada</numerusform>
     <numerusform>el modo ciego deja fuera {n:,} imágenes aún no entregadas</numerusform>
@@ -2451,7 +1858,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} archivo no se pudo leer: {problem}</numerusform>
     <numerusform>{n:,} archivos no se pudieron leer: {problem}</numerusform>
@@ -2459,30 +1866,610 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
    <translation>Tabla (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Exportar</translation>
   </message>
   <message>
    <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>exportando {done} / {total}</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Conservar el campo y no decir más de estas clases</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>El conjunto lo recuerda y no se vuelve a preguntar</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>No, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>El campo de este conjunto</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Descripciones de campos (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>¿Es esto {field}? Las clases anotadas aquí son las de {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{why}, pero decide {file} en la carpeta del conjunto</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Sí, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Cambiar a {field}</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{problem}; el campo quedó como estaba: {field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Las puntuaciones difieren entonces de las del campo nominal ({nominal}), que es el de las evaluaciones oficiales; dicen con qué dimensiones se calcularon.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Dimensiones propias (stadiums.csv): {frames} de {stadiums}. Lo que se introduce aquí vale para todas las demás, y para lo que los estadios dejan abierto.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Las puntuaciones difieren entonces de las evaluaciones oficiales, que toman las líneas donde las miden las reglas; lo dicen.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Las reglas miden muchas líneas en un borde de su pintura. Los clics se ponen en el medio, a media anchura de pintura: elíjalo donde eso importa, como en pabellones y cerca de la cámara.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Solo la longitud y la anchura se hallan con las imágenes, y las reglas fijan las de este campo</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imagen.</numerusform>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, según {n} imágenes.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>donde miden las reglas</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>el medio de la pintura</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Dimensiones del campo: {field}</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>Con la cámara de {n} imagen; ± es una desviación típica.</numerusform>
+    <numerusform>Con las cámaras de {n} imágenes; ± es una desviación típica.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>{remark}; quedó como estaba.</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Estimar con este conjunto</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Los clics están en:</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Conservar para este conjunto</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Nominal</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>El campo que toman las evaluaciones oficiales</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>nominal {nominal:g} m, las reglas permiten de {minimum:g} a {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;no {number:g} m: las reglas permiten de {minimum:g} a {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} imagen</numerusform>
+    <numerusform>{n} imágenes</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} estadio</numerusform>
+    <numerusform>{n} estadios</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Ciego: las imágenes no entregadas no participaron ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Las imágenes que no se pueden leer no participaron: {n}.</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py, procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Detener</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>las reglas fijan todas las dimensiones del campo {field}</translation>
+  </message>
+  <message>
+   <source>Blind: the set is checked once one of its frames is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Ciego: el conjunto se mira cuando una de sus imágenes está entregada (Ctrl+Intro).</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna imagen después de esta está anotada</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna imagen después de esta es dudosa</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna imagen antes de esta es dudosa</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} de {total}, las peores primero: JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} de {total}, las peores primero: mayor error {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} de {total}, las peores primero: desacuerdo mediano {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna otra imagen está rechazada</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{frame} está {status}</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>no hay ninguna imagen puntuada a la que ir</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>no hay imagen puntuada a la que ir: el modo ciego solo muestra las entregadas</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>comparando {source} con {other} en el conjunto</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>modo ciego: cómo va el seguimiento está oculto</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aún no se siguió ningún plano (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>estas imágenes no van seguidas</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>todas las imágenes después de esta están anotadas</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>todas las imágenes antes de esta están anotadas</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>todas las imágenes después de esta están terminadas o aprobadas</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>todas las imágenes antes de esta están terminadas o aprobadas</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>hacen falta dos fuentes para ver dónde discrepan: cargue más cámaras (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} y {other} no se pueden comparar sobre el suelo en ninguna imagen</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>comparación de las fuentes detenida</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>esta es la peor; otra vez sigue adelante</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna otra imagen está puntuada</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>desde la peor otra vez</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ya se están comparando dos fuentes</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} y {other} están comparadas</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/ghost_accepting.py, procc_annotator/gui/commands/versions.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>
+    <numerusform>{n} punto</numerusform>
+    <numerusform>{n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{accepted}: {points}, línea vista en un {share:.0%}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} extremo de {elements} no se ve: los puntos acaban antes</numerusform>
+    <numerusform>{n} extremos de {elements} no se ven: los puntos acaban antes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>la cámara es otra entretanto</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>aceptar {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} fantasma</numerusform>
+    <numerusform>{n} fantasmas</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{n} de {total} fantasmas</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} aceptado</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} extremo no se ve: los puntos acaban antes</numerusform>
+    <numerusform>{n} extremos no se ven: los puntos acaban antes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>la imagen se editó entretanto</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>buscar la línea en {frame} llevó demasiado tiempo</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} no está aceptado: {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Aceptar todos los fantasmas</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>Cuánto de la línea de un fantasma debe verse para aceptarlo con todos los demás (%):</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element}: no se halla ninguna línea pintada en él; márquelo a mano, o diga que no es visible aquí (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>se está ajustando la cámara: acepte sus fantasmas en un momento</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma, se ve menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} aceptado en {frame}</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma: no hay imagen en que buscar sus líneas</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma: {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} no está aceptado</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>el fantasma está aceptado: acepte los fantasmas del nuevo ajuste</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>lo que se dibujaba está terminado: acepte los fantasmas del nuevo ajuste</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>no se aceptó ningún fantasma</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} estará aceptado cuando se hallen sus puntos</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>vaya primero a un fantasma (Tab) o elija un elemento</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>ese era el primer fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
+    <numerusform>ese era el primer fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos, o siga el plano (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>ese era el último fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
+    <numerusform>ese era el último fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>se está ajustando la cámara: los fantasmas llegan en un momento</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: se busca la cámara en la imagen</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: lo demás que está a la vista está anotado, o no se conoce lo bastante bien</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: anote tres o cuatro elementos y de ellos sale una cámara</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: están desactivados (Elemento &gt; Fantasmas &gt; Mostrar fantasmas)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>las superposiciones están ocultas: no se ve ningún fantasma (Ctrl+H, o suelte X)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>termine primero lo que se dibuja (Intro), o cancélelo (Esc)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: no se pudo ajustar ninguna cámara</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>aún no se ajusta ninguna cámara</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>se está dibujando a mano</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} está anotado aquí: bórrelo primero (Ctrl+Supr)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} no es visible aquí; Ctrl+. lo retira</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} quizá vuelva a ser visible aquí</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>de ningún elemento de esta imagen se dijo que no fuera visible</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ese era el último fantasma</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>vaya primero a un fantasma (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{off}; elija primero un elemento</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{edited} de {n:,} imagen importada ({format}).</numerusform>
     <numerusform>{edited} de {n:,} imágenes importadas ({format}).</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <source>Cancelled: {n:,} frames were not checked.</source>
+   <extracomment>Cancelled: {n:,} frame was not checked. / Cancelled: {n:,} frames were not checked. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>Cancelado: {n:,} imagen no se miró.</numerusform>
     <numerusform>Cancelado: {n:,} imágenes no se miraron.</numerusform>
@@ -2490,7 +2477,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen ya está anotada y quedó sin cambios.</numerusform>
     <numerusform>{n:,} imágenes ya están anotadas y quedaron sin cambios.</numerusform>
@@ -2498,7 +2485,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen ya contiene lo mismo.</numerusform>
     <numerusform>{n:,} imágenes ya contienen lo mismo.</numerusform>
@@ -2507,12 +2494,12 @@ Pierde {loses}.</translation>
   <message>
    <source>import</source>
    <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>importar</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{edited} de {n:,} imagen importada</numerusform>
     <numerusform>{edited} de {n:,} imágenes importadas</numerusform>
@@ -2520,355 +2507,65 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Cancelado; no se importó nada.</translation>
   </message>
   <message>
    <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Dejadas como estaban</translation>
   </message>
   <message>
    <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>No se pudieron leer</translation>
   </message>
   <message>
    <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Sin imagen aquí ({n})</translation>
   </message>
   <message>
    <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Cambiadas o dejadas fuera</translation>
   </message>
   <message>
    <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>no se pudo guardar: {why}</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Imágenes</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Vídeos</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>las cámaras abiertas aquí antes ya no están: {paths}</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>el ejemplo viene con el código fuente, no aquí</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>su propia copia, en {folder}; cargue sus cámaras desde el menú Cámara</translation>
-  </message>
-  <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cargar una carpeta de cámaras</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cargar cámaras</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Cámaras</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>las cámaras abiertas aquí antes no se abren de nuevo: {why}</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Abrir una carpeta de imágenes</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Abrir una imagen</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Abrir un vídeo</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Abrir la carpeta de un segundo anotador</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, sin la leyenda</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, demasiado grande: elija una escala menor o SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>PNG: píxeles, sin pérdida</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>JPEG: píxeles, pequeño</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>SVG: líneas y texto siempre nítidos</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Imagen (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Guardar imagen superpuesta</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Px del resultado por px de la imagen; líneas y texto crecen con ella</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Explicar bajo la imagen los colores, trazos y marcas</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Tipo</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Escala</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Resultado</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Leyenda</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>escribiendo la imagen superpuesta {path} …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>abra primero una imagen</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{path}: es la propia imagen, elija otro nombre</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>imagen superpuesta escrita en {path}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Una imagen cada</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>La primera imagen de cada escena</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Busca cortes en todo el vídeo; tarda un rato</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>Campo</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Leyendo {file}</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Buscando cortes en {file}</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>esta imagen ya es un archivo de imagen</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>conservada como {path}</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>No se extrae nada; «Conservar esta imagen del vídeo» escribe un archivo.</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} de {total}, las peores primero: JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} de {total}, las peores primero: mayor error {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} de {total}, las peores primero: desacuerdo mediano {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>aún no hay JaC: cargue cámaras primero</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>ninguna otra imagen está rechazada</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{frame} está {status}</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>no hay ninguna imagen puntuada a la que ir</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>comparando {source} con {other} en el conjunto</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>todas las imágenes después de esta están terminadas o aprobadas</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>todas las imágenes antes de esta están terminadas o aprobadas</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>hacen falta dos fuentes para ver dónde discrepan: cargue más cámaras (Ctrl+L)</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} y {other} no se pueden comparar sobre el suelo en ninguna imagen</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>comparación de las fuentes detenida</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>esta es la peor; otra vez sigue adelante</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>ninguna otra imagen está puntuada</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>desde la peor otra vez</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>no hay imagen puntuada a la que ir: el modo ciego solo muestra las entregadas</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>ya se están comparando dos fuentes</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} y {other} están comparadas</translation>
   </message>
   <message>
    <source>error</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>error</translation>
   </message>
   <message>
    <source>warning</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>aviso</translation>
   </message>
   <message>
    <source>hint</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>indicio</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>hallazgo {place} de {total}, {severity}: {elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>ningún hallazgo es tan seguro como pide el panel Comprobación</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n} elemento con otra clase</numerusform>
     <numerusform>{n} elementos con otra clase</numerusform>
@@ -2876,7 +2573,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen revisada, modelo de cámara {model}: {found}</numerusform>
     <numerusform>{n:,} imágenes revisadas, modelo de cámara {model}: {found}</numerusform>
@@ -2884,7 +2581,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen revisada</numerusform>
     <numerusform>{n:,} imágenes revisadas</numerusform>
@@ -2892,47 +2589,47 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} y {other}</translation>
   </message>
   <message>
    <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la revisión de clases aún examina esta imagen</translation>
   </message>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la revisión de clases no ha hallado nada; revise todo el conjunto para mirar todas las imágenes</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{done}; Ctrl+Z lo retira</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>punto {n} de {element} quitado</translation>
   </message>
   <message>
    <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} y {other} intercambiados</translation>
   </message>
   <message>
    <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} pasado a {other}</translation>
   </message>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>ignorado hasta que cambie {elements}; el panel Comprobación lo devuelve</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen no se puede revisar</numerusform>
     <numerusform>{n:,} imágenes no se pueden revisar</numerusform>
@@ -2940,12 +2637,12 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Exportar hallazgos</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} hallazgo en {frames} exportado a {path}</numerusform>
     <numerusform>{n:,} hallazgos en {frames} exportados a {path}</numerusform>
@@ -2953,257 +2650,267 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la revisión de clases no ha hallado nada</translation>
   </message>
   <message>
    <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>los elementos han cambiado desde entonces: revisados de nuevo</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>punto de {element} quitado</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>vaya primero a un hallazgo (F10)</translation>
   </message>
   <message>
    <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>revisión del conjunto detenida; lo hallado queda</translation>
   </message>
   <message>
    <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la revisión de clases no ha hallado nada en esta imagen</translation>
   </message>
   <message>
    <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>nada hallado</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>no se conoce remedio: {reason}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Levantarlo muestra cámaras, fantasmas y el ajuste a todos los que lo anotan. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>las cámaras abiertas aquí antes no se abren de nuevo: {why}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Levantarlo le muestra a usted cámaras, fantasmas y el ajuste; para otros no estaba fijado. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Abrir un vídeo</translation>
   </message>
   <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>el modo ciego deja fuera {n} de imágenes no entregadas</translation>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Una imagen cada</translation>
   </message>
   <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Levantar el modo ciego</translation>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>La primera imagen de cada escena</translation>
   </message>
   <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Levantarlo y registrarlo</translation>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Busca cortes en todo el vídeo; tarda un rato</translation>
   </message>
   <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Mantenerlo fijado</translation>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, the field american_football, the menus]</extracomment>
+   <translation>Campo</translation>
   </message>
   <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{frame}: ya sin veredicto sobre {source}</translation>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Leyendo {file}</translation>
   </message>
   <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Nota al veredicto</translation>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Buscando cortes en {file}</translation>
   </message>
   <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Qué está mal aquí:</translation>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Imágenes</translation>
   </message>
   <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Exportar veredictos</translation>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Vídeos</translation>
   </message>
   <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ciego: ninguna imagen entregada tiene veredicto</translation>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>No se extrae nada; «Conservar esta imagen del vídeo» escribe un archivo.</translation>
   </message>
   <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ninguna imagen tiene veredicto aún: dé uno primero</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} veredicto exportado a {path}</numerusform>
-    <numerusform>{n:,} veredictos exportados a {path}</numerusform>
-   </translation>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>las cámaras abiertas aquí antes ya no están: {paths}</translation>
   </message>
   <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>un veredicto es sobre una imagen y una cámara: cargue cámaras primero</translation>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>esta imagen ya es un archivo de imagen</translation>
   </message>
   <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ciego: la cámara está oculta hasta entregar esta imagen (Ctrl+Intro)</translation>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>conservada como {path}</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>dé primero un veredicto: fallo de la cámara, fallo de la anotación o correcto</translation>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>el ejemplo viene con el código fuente, no aquí</translation>
   </message>
   <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>no se pudo guardar todo: las cifras son del último estado guardado</translation>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>su propia copia, en {folder}; cargue sus cámaras desde el menú Cámara</translation>
   </message>
   <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} sigue los clics: un veredicto es sobre una cámara que se cargó</translation>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cargar una carpeta de cámaras</translation>
   </message>
   <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cargar cámaras</translation>
   </message>
   <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>No hay versión anterior de esta imagen.</translation>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Cámaras</translation>
   </message>
   <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Comparado con ahora: {changes}. Lo que difiere: {elements}.</translation>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Abrir una carpeta de imágenes</translation>
   </message>
   <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>no se puede leer</translation>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Abrir una imagen</translation>
   </message>
   <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>vacía</translation>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Abrir la carpeta de un segundo anotador</translation>
   </message>
   <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>como ahora</translation>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, sin la leyenda</translation>
   </message>
   <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>otros elementos</translation>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, demasiado grande: elija una escala menor o SVG</translation>
   </message>
   <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>puntos movidos</translation>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>PNG: píxeles, sin pérdida</translation>
   </message>
   <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Esto es lo que la imagen contiene ahora.</translation>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>JPEG: píxeles, pequeño</translation>
   </message>
   <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Comparado con ahora: los mismos puntos en otro orden de elementos.</translation>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>SVG: líneas y texto siempre nítidos</translation>
   </message>
   <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>recuperar una versión anterior</translation>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Imagen (*{suffix})</translation>
   </message>
   <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Versiones anteriores</translation>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Guardar imagen superpuesta</translation>
   </message>
   <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Recuperar</translation>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Px del resultado por px de la imagen; líneas y texto crecen con ella</translation>
   </message>
   <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>%d/%m/%Y, %H:%M:%S</translation>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Explicar bajo la imagen los colores, trazos y marcas</translation>
   </message>
   <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>{n} más</translation>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Tipo</translation>
   </message>
   <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>la versión anterior ha vuelto; deshacer la quita otra vez</translation>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Escala</translation>
   </message>
   <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>la versión anterior vuelve a estar ahí; lo que no se podía leer se conserva como versión</translation>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Resultado</translation>
   </message>
   <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>la imagen se cambió en otra parte: mírela y recupere de nuevo</translation>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Leyenda</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>escribiendo la imagen superpuesta {path} …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>abra primero una imagen</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{path}: es la propia imagen, elija otro nombre</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>imagen superpuesta escrita en {path}</translation>
   </message>
   <message>
    <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>ya está anotada entretanto</translation>
   </message>
   <message>
    <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>se editó desde entonces</translation>
   </message>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>ninguna imagen que aceptar: siga primero el plano (T); las dudosas y las anotadas se dejan fuera</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>modo ciego: no se acepta nada que no se haya marcado</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>buscando pintura a lo largo del seguimiento: {done} de {total} imágenes</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen aceptada según el seguimiento</numerusform>
     <numerusform>{n:,} imágenes aceptadas según el seguimiento</numerusform>
@@ -3211,12 +2918,12 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Ctrl+Z las retira</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>retirado: {n:,} imagen aceptada según el seguimiento</numerusform>
     <numerusform>retirado: {n:,} imágenes aceptadas según el seguimiento</numerusform>
@@ -3224,7 +2931,7 @@ Pierde {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen dejada: {why}</numerusform>
     <numerusform>{n:,} imágenes dejadas: {why}</numerusform>
@@ -3232,42 +2939,42 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>buscando pintura a lo largo del seguimiento</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
   </message>
   <message>
    <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aceptar el seguimiento</translation>
   </message>
   <message>
    <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>retirar el seguimiento</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó nada que pudiera retirarse</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>retirado: ninguna imagen está aceptada</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen seguida, {doubtful:,} dudosas (Alt+Av Pág); Ctrl+Mayús+Intro acepta las seguras</numerusform>
     <numerusform>{n:,} imágenes seguidas, {doubtful:,} dudosas (Alt+Av Pág); Ctrl+Mayús+Intro acepta las seguras</numerusform>
@@ -3275,12 +2982,12 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>siguiendo: {done} de {total} imágenes  ·  T lo detiene</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen seguida, segura; Ctrl+Mayús+Intro acepta las seguras</numerusform>
     <numerusform>{n:,} imágenes seguidas, todas seguras; Ctrl+Mayús+Intro acepta las seguras</numerusform>
@@ -3288,68 +2995,321 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>buscando los extremos del plano …  T lo detiene</translation>
   </message>
   <message>
    <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>no se pudo seguir el plano: {why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>solo se puede seguir un vídeo, o imágenes que van seguidas</translation>
   </message>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>modo ciego: no se sigue ningún plano, se verían sus cámaras</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>ninguna imagen del plano tiene una cámara segura: anote una y sígalo después</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>detenido; lo seguido hasta ahora queda</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>detenido; no se siguió nada</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>ninguna imagen después de esta está anotada</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Levantarlo muestra cámaras, fantasmas y el ajuste a todos los que lo anotan. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
   </message>
   <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>ninguna imagen después de esta es dudosa</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Levantarlo le muestra a usted cámaras, fantasmas y el ajuste; para otros no estaba fijado. Queda registrado con el conjunto que {author} lo levantó, y cuándo.</translation>
   </message>
   <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>ninguna imagen antes de esta es dudosa</translation>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>el modo ciego deja fuera {n} de imágenes no entregadas</translation>
   </message>
   <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>modo ciego: cómo va el seguimiento está oculto</translation>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{frame}: ya sin veredicto sobre {source}</translation>
   </message>
   <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>aún no se siguió ningún plano (T)</translation>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Nota al veredicto</translation>
   </message>
   <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>estas imágenes no van seguidas</translation>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Qué está mal aquí:</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Exportar veredictos</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>ciego: ninguna imagen entregada tiene veredicto</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>ninguna imagen tiene veredicto aún: dé uno primero</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} veredicto exportado a {path}</numerusform>
+    <numerusform>{n:,} veredictos exportados a {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Levantar el modo ciego</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Levantarlo y registrarlo</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Mantenerlo fijado</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>dé primero un veredicto: fallo de la cámara, fallo de la anotación o correcto</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>no se pudo guardar todo: las cifras son del último estado guardado</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} sigue los clics: un veredicto es sobre una cámara que se cargó</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>No hay versión anterior de esta imagen.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Comparado con ahora: {changes}. Lo que difiere: {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>no se puede leer</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>vacía</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>como ahora</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>otros elementos</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>puntos movidos</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Esto es lo que la imagen contiene ahora.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Comparado con ahora: los mismos puntos en otro orden de elementos.</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>recuperar una versión anterior</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Versiones anteriores</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Recuperar</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>%d/%m/%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>{n} más</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>la versión anterior ha vuelto; deshacer la quita otra vez</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>la versión anterior vuelve a estar ahí; lo que no se podía leer se conserva como versión</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>la imagen se cambió en otra parte: mírela y recupere de nuevo</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Las imágenes de un instante desde distintas cámaras son un grupo. Sus nombres lo dicen según un patrón: &lt;b&gt;{instant}&lt;/b&gt; representa cuándo se tomó una imagen, &lt;b&gt;{view}&lt;/b&gt; la cámara, y todo lo demás a sí mismo. También sirve una expresión regular con &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; y &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt;.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>No se halló ningún patrón que encaje con estos nombres: escriba uno.</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Lo que dice ahora se pierde, con todo lo demás que hay escrito en él.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Instante</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} grupo de {least} a {most}</numerusform>
+    <numerusform>{frames} en {n:,} grupos de {least} a {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} de {n:,} instante</numerusform>
+    <numerusform>{frames} de {n:,} instantes</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen, sin agrupar.</numerusform>
+    <numerusform>{n:,} imágenes, ninguna agrupada.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} grupo</numerusform>
+    <numerusform>{frames} en {n:,} grupos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Grupos de imágenes</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} agrupa {sizes} desde ahora</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} instante con una sola imagen</numerusform>
+    <numerusform>{n:,} instantes con una sola imagen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} nombre no encaja (al final de la tabla)</numerusform>
+    <numerusform>{n:,} nombres no encajan (al final de la tabla)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Este nombre no encaja en el patrón: la imagen queda sola</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Agrupar vistas</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Patrón de los nombres de las imágenes</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} ya existe: {sizes}.</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Escribir {file}</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Conservar estos grupos en la carpeta del conjunto</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -3495,7 +3455,7 @@ Pierde {loses}.</translation>
    <translation>Mantener Ctrl</translation>
   </message>
   <message>
-   <source>click beside the line: no snapping</source>
+   <source>click off the line: no snapping</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>marcar junto a la línea: sin ajuste</translation>
   </message>
@@ -3521,7 +3481,7 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>Flechas</translation>
   </message>
   <message>
@@ -3724,15 +3684,33 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} ya existe y dice otra cosa.</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} imagen no está guardada, y guardar acaba de fallar otra vez.</numerusform>
+    <numerusform>{n} imágenes no están guardadas, y guardar acaba de fallar otra vez.</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>{text}.</translation>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Mostrar lo que hay en el archivo; deshacer devuelve su versión</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Escribir lo que ve en pantalla sobre el archivo</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>¿Borrar {what}?</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Conservarlo</translation>
   </message>
   <message>
    <source>Delete</source>
@@ -3745,27 +3723,14 @@ Pierde {loses}.</translation>
    <translation>Reemplazarlo</translation>
   </message>
   <message>
-   <source>Keep it</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Conservarlo</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames are not saved, and saving failed again just now.</source>
-   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
-   <translation>
-    <numerusform>{n} imagen no está guardada, y guardar acaba de fallar otra vez.</numerusform>
-    <numerusform>{n} imágenes no están guardadas, y guardar acaba de fallar otra vez.</numerusform>
-   </translation>
+   <translation>Cerrar y perderlas</translation>
   </message>
   <message>
    <source>Stay</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Quedarse</translation>
-  </message>
-  <message>
-   <source>Close and lose them</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Cerrar y perderlas</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3778,24 +3743,9 @@ Pierde {loses}.</translation>
    <translation>Recargar lo suyo</translation>
   </message>
   <message>
-   <source>Show what is in the file; undo brings your version back</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Mostrar lo que hay en el archivo; deshacer devuelve su versión</translation>
-  </message>
-  <message>
    <source>Overwrite with mine</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Sobrescribir con lo mío</translation>
-  </message>
-  <message>
-   <source>Write what you see on screen over the file</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Escribir lo que ve en pantalla sobre el archivo</translation>
-  </message>
-  <message>
-   <source>This frame is not editable. {problem}</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Esta imagen no se puede editar. {problem}</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -3849,6 +3799,11 @@ Pierde {loses}.</translation>
    <translation>Cerrar el segundo anotador</translation>
   </message>
   <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>El archivo del segundo anotador para esta imagen es ilegible: {error}</translation>
+  </message>
+  <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>JaC de concordancia a {tau:g} px: {jac:.3f}</translation>
@@ -3877,19 +3832,9 @@ Pierde {loses}.</translation>
    <translation>Puntos</translation>
   </message>
   <message>
-   <source>The second annotator's file for this frame is unreadable: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>El archivo del segundo anotador para esta imagen es ilegible: {error}</translation>
-  </message>
-  <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Oculto: el modo ciego muestra la puntuación una vez entregada esta imagen.</translation>
-  </message>
-  <message>
-   <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>El segundo anotador no tiene nada para esta imagen.</translation>
+   <translation>Oculto: el modo ciego muestra la puntuación una vez entregada esta imagen.</translation>
   </message>
   <message>
    <source>One of the two seems to label the field turned by 180 degrees.</source>
@@ -3941,299 +3886,135 @@ Pierde {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
-   <translation>soccernet (oficial)</translation>
-  </message>
-  <message>
-   <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>procc (artículo)</translation>
-  </message>
-  <message>
-   <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>contar como fallados</translation>
-  </message>
-  <message>
-   <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>se dejan fuera</translation>
-  </message>
-  <message>
-   <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cámaras ({endings});;Todos los archivos (*)</translation>
-  </message>
-  <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Fuente con la que comparar</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Se contrapone a la fuente activa: coma, vista dividida, desacuerdo</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Comparar con</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>{share:.0f} % dentro de {far:g} m, en {covered:.0f} % de la imagen</translation>
-  </message>
-  <message>
-   <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>No hay cámaras cargadas.
-Cargue una carpeta de archivos de cámara de SoccerNet o de homografías para verlas juzgadas con sus clics.</translation>
-  </message>
-  <message>
-   <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cargar carpeta…</translation>
-  </message>
-  <message>
-   <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Una carpeta con un archivo de cámara por imagen</translation>
-  </message>
-  <message>
-   <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cargar archivo…</translation>
-  </message>
-  <message>
-   <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Un archivo zip de cámaras, o la cámara de una imagen</translation>
-  </message>
-  <message>
-   <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cómo se leen los próximos archivos que se carguen</translation>
-  </message>
-  <message>
-   <source>soccernet: the official evaluation with its quirks
-procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>soccernet: la evaluación oficial con sus rarezas
-procc: la definición del artículo, círculos cerrados y curvas finas</translation>
-  </message>
-  <message>
-   <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Una homografía solo conoce el suelo: cómo cuentan para ella postes y travesaños</translation>
-  </message>
-  <message>
-   <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Leer como</translation>
-  </message>
-  <message>
-   <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
-   <translation>Protocolo</translation>
-  </message>
-  <message>
-   <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Fuera del suelo</translation>
-  </message>
-  <message>
-   <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Esta imagen: {notice}</translation>
-  </message>
-  <message>
-   <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>⚠ La cámara de esta imagen no se puede usar: {error}</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>mín.</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>mediana</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>máx.</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Entre los dos puntos del suelo que significa un píxel</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>De un píxel a donde la cámara comparada muestra su punto del suelo</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>en el suelo, m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>en la imagen, px</translation>
-  </message>
-  <message>
-   <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Ciego: la proyección está oculta hasta entregar esta imagen.</translation>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>El segundo anotador no tiene nada para esta imagen.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Imágenes de este conjunto que tienen cámara (completitud)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Imágenes visitadas en esta ventana cuyos clics dieron una cámara; su JaC es el de los clics con que se hizo el ajuste.
 procc-annotator calibrate ajusta y puntúa todo el conjunto</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Imágenes de este conjunto que se siguieron a lo largo de su plano y tienen cámara.
 procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation>
   </message>
   <message>
    <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Amarillo</translation>
   </message>
   <message>
    <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Violeta</translation>
   </message>
   <message>
    <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Azul</translation>
   </message>
   <message>
    <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Menta</translation>
   </message>
   <message>
    <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Azul marino</translation>
   </message>
   <message>
    <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Cian</translation>
   </message>
   <message>
    <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Desactivar el ajuste continuo (Ctrl+T lo activa de nuevo)</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Quitar de la lista; los archivos quedan</translation>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Nombre de la fuente</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Olvidar lo seguido (T sigue el plano otra vez)</translation>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Dibujar como armazón mientras se juzga otra fuente</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>JaC medio a {tau:.1f} px en {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Ilegibles (filtro camera:unreadable): {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{matched} de {total}, {n} ilegible</numerusform>
     <numerusform>{matched} de {total}, {n} ilegibles</numerusform>
    </translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Nombre de la fuente</translation>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Quitar de la lista; los archivos quedan</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Dibujar como armazón mientras se juzga otra fuente</translation>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Olvidar lo seguido (T sigue el plano otra vez)</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>No juzgar nada, no dibujar ninguna cámara</translation>
   </message>
   <message>
    <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Juzgar {name}</translation>
   </message>
   <message>
    <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Quitar {name}</translation>
   </message>
   <message>
    <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Dibujar {name}</translation>
   </message>
   <message>
    <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Color de {name}</translation>
   </message>
   <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Otro…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Color de la fuente</translation>
-  </message>
-  <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>sin cámara</translation>
-  </message>
-  <message>
-   <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>No juzgar nada, no dibujar ninguna cámara</translation>
-  </message>
-  <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{frames} hasta ahora</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{mean}; {n:,} cámara no se puede leer y no participa</numerusform>
     <numerusform>{mean}; {n:,} cámaras no se pueden leer y no participan</numerusform>
@@ -4241,17 +4022,17 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model} (suelo)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model} aquí, varios modelos</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen seguida</numerusform>
     <numerusform>{n:,} imágenes seguidas</numerusform>
@@ -4259,7 +4040,7 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen ajustada</numerusform>
     <numerusform>{n:,} imágenes ajustadas</numerusform>
@@ -4267,12 +4048,12 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{n} de {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{names} y {n:,} más</numerusform>
     <numerusform>{names} y {n:,} más</numerusform>
@@ -4280,41 +4061,205 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>no se puede usar aquí: {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>sin cámara para esta imagen</translation>
   </message>
   <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Otro…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Color de la fuente</translation>
+  </message>
+  <message>
    <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Doble clic o F2 le da otro nombre</translation>
   </message>
   <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>El modo ciego oculta cómo van las fuentes</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Ninguna imagen tiene a la vez elementos anotados y una cámara de esta fuente</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} cámara</numerusform>
     <numerusform>{n:,} cámaras</numerusform>
    </translation>
   </message>
   <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>sin cámara</translation>
+  </message>
+  <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>varios modelos</translation>
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the setting protocol]</extracomment>
+   <translation>soccernet (oficial)</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>procc (artículo)</translation>
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>contar como fallados</translation>
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>se dejan fuera</translation>
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cámaras ({endings});;Todos los archivos (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Fuente con la que comparar</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Comparar con</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>{share:.0f} % dentro de {far:g} m, en {covered:.0f} % de la imagen</translation>
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>No hay cámaras cargadas.
+Cargue una carpeta de archivos de cámara de SoccerNet o de homografías para verlas juzgadas con sus clics.</translation>
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cargar carpeta…</translation>
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cargar archivo…</translation>
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Leer como</translation>
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the menus, the setting protocol]</extracomment>
+   <translation>Protocolo</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Fuera del suelo</translation>
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Esta imagen: {notice}</translation>
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>⚠ La cámara de esta imagen no se puede usar: {error}</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Se contrapone a la fuente activa: coma, vista dividida, desacuerdo</translation>
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>mín.</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>mediana</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>máx.</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>en el suelo, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>en la imagen, px</translation>
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Una carpeta con un archivo de cámara por imagen</translation>
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Un archivo zip de cámaras, o la cámara de una imagen</translation>
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cómo se leen los próximos archivos que se carguen</translation>
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>soccernet: la evaluación oficial con sus rarezas
+procc: la definición del artículo, círculos cerrados y curvas finas</translation>
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Una homografía solo conoce el suelo: cómo cuentan para ella postes y travesaños</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Entre los dos puntos del suelo que significa un píxel</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>De un píxel a donde la cámara comparada muestra su punto del suelo</translation>
   </message>
   <message>
    <source>annotated</source>
@@ -4373,7 +4318,7 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
    <translation>Anotado, la cámara no lo proyecta (falso negativo)</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
+   <source>Marked as not visible in this frame</source>
    <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
    <translation>Alguien dijo que no se ve en esta imagen</translation>
   </message>
@@ -4389,7 +4334,7 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>Sin geometría</translation>
   </message>
   <message>
@@ -4403,9 +4348,11 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
    <translation>Buscar un elemento</translation>
   </message>
   <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Elementos</translation>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Ningún elemento coincide con «{query}».
+Esc borra la búsqueda.</translation>
   </message>
   <message>
    <source>Annotated points</source>
@@ -4420,11 +4367,9 @@ Class in files: {name}</source>
 Clase en los archivos: {name}</translation>
   </message>
   <message>
-   <source>No element matches “{query}”.
-Esc clears the search.</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation>Ningún elemento coincide con «{query}».
-Esc borra la búsqueda.</translation>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Elementos</translation>
   </message>
   <message>
    <source>Key</source>
@@ -4443,7 +4388,7 @@ Esc borra la búsqueda.</translation>
    <translation>Estado</translation>
   </message>
   <message>
-   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <source>Annotating it next helps most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Anotarlo ahora es lo que más aporta: la proyección se conocerá entonces hasta {after:.1f} px en vez de {before:.1f} px</translation>
   </message>
@@ -4469,27 +4414,27 @@ Esc borra la búsqueda.</translation>
   </message>
   <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Error</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Aviso</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Indicio</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Nada hallado en esta imagen.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Nada hallado en {n:,} imagen.</numerusform>
     <numerusform>Nada hallado en {n:,} imágenes.</numerusform>
@@ -4498,23 +4443,23 @@ Esc borra la búsqueda.</translation>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>No hay imágenes.
 Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>No hay nada anotado en esta imagen.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Las reglas que no necesitan cámara no hallaron nada.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Nada hallado salvo {n:,} hallazgo ignorado.</numerusform>
     <numerusform>Nada hallado salvo {n:,} hallazgos ignorados.</numerusform>
@@ -4522,53 +4467,63 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Ciego: los hallazgos que necesitan cámara esperan hasta entregar esta imagen (Ctrl+Intro).</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>El ajuste continuo está desactivado: solo se miran las reglas que no necesitan cámara.</translation>
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Aún no se ajusta ninguna cámara ({why}): solo se miran las reglas que no la necesitan.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Ciego: solo las imágenes entregadas se revisan con una cámara.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} imagen no se puede revisar, como {name}: {why}</numerusform>
     <numerusform>{n:,} imágenes no se pueden revisar, como {name}: {why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The set is not checked yet; {n:,} frames checked so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame checked so far. / The set is not checked yet; {n:,} frames checked so far. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>El conjunto aún no está revisado; {n:,} imagen mirada hasta ahora.</numerusform>
     <numerusform>El conjunto aún no está revisado; {n:,} imágenes miradas hasta ahora.</numerusform>
    </translation>
   </message>
   <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Qué hallazgos se listan</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Imágenes revisadas</translation>
+  </message>
+  <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Revisando esta imagen…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Revisando el conjunto…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} error</numerusform>
     <numerusform>{n:,} errores</numerusform>
@@ -4576,7 +4531,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} aviso</numerusform>
     <numerusform>{n:,} avisos</numerusform>
@@ -4584,45 +4539,20 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} indicio</numerusform>
     <numerusform>{n:,} indicios</numerusform>
    </translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Hallazgos</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Qué hallazgos se listan</translation>
-  </message>
-  <message>
    <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
    <translation>Revisar todo el conjunto</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
-   <translation>Buscar clases equivocadas en todas las imágenes anotadas</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Imágenes revisadas</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Escribir como CSV los hallazgos de todas las imágenes revisadas</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} más no se lista: active los signos de arriba.</numerusform>
     <numerusform>{n:,} más no se listan: active los signos de arriba.</numerusform>
@@ -4630,27 +4560,42 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action ignore_finding]</extracomment>
    <translation>No mostrarlo más hasta que cambien los puntos de sus elementos</translation>
   </message>
   <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Hallazgos</translation>
+  </message>
+  <message>
    <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Esta imagen</translation>
   </message>
   <message>
    <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Todo el conjunto</translation>
   </message>
   <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
+   <translation>Buscar clases equivocadas en todas las imágenes anotadas</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Escribir como CSV los hallazgos de todas las imágenes revisadas</translation>
+  </message>
+  <message>
    <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>{findings}; clic para listarlos o no</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} ignorado aquí. &lt;a href="restore"&gt;Mostrar de nuevo&lt;/a&gt;</numerusform>
     <numerusform>{n:,} ignorados aquí. &lt;a href="restore"&gt;Mostrar de nuevo&lt;/a&gt;</numerusform>
@@ -4658,7 +4603,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/menus.py, the action ignore_finding]</extracomment>
    <translation>Ignorar este hallazgo</translation>
   </message>
   <message>
@@ -4743,14 +4688,44 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    </translation>
   </message>
   <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>✕ dejado fuera: {title}</translation>
-  </message>
-  <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{title}: media {mean} px, mayor {largest} px</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Tomado por un error: no contó en el ajuste</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Los elementos a la vista que no están anotados cuentan contra el JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Apenas determinado: {limits}</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distancia media de los puntos que contaron, px de la imagen</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Desviación típica, según la estima el ajuste</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Guardar como cámara de la imagen</translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ dejado fuera: {title}</translation>
   </message>
   <message>
    <source>Pan</source>
@@ -4789,54 +4764,14 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <translation>Altura (−z)</translation>
   </message>
   <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Los elementos a la vista que no están anotados cuentan contra el JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Apenas determinado: {limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Qué se ajusta. Automáticamente: el modelo más sencillo que permiten los clics</translation>
-  </message>
-  <message>
    <source>Model</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Modelo</translation>
   </message>
   <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Distancia media de los puntos que contaron, px de la imagen</translation>
-  </message>
-  <message>
    <source>Residuals by element</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Residuos por elemento</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Guardar como cámara de la imagen</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Abra una carpeta de imágenes para ver la cámara que dan sus clics.</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>El ajuste continuo está desactivado (Ctrl+T).</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Oculto: el modo ciego muestra el ajuste una vez entregada esta imagen.</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
@@ -4855,7 +4790,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/pages.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>JaC a {tau:.1f} px</translation>
   </message>
   <message>
@@ -4869,14 +4804,9 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <translation>JaC: {terms}; residuos: px de la imagen, {width}x{height}</translation>
   </message>
   <message>
-   <source>Standard deviation, as the fit estimates it</source>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Desviación típica, según la estima el ajuste</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Tomado por un error: no contó en el ajuste</translation>
+   <translation>Qué se ajusta. Automáticamente: el modelo más sencillo que permiten los clics</translation>
   </message>
   <message>
    <source>mean residual</source>
@@ -4885,7 +4815,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
-   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n} abierto</numerusform>
     <numerusform>{n} abiertos</numerusform>
@@ -4893,33 +4823,33 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>{shown:,} de {frames}</translation>
   </message>
   <message>
    <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>todas terminadas</translation>
-  </message>
-  <message>
-   <source>⚠ unreadable</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ ilegible</translation>
-  </message>
-  <message>
-   <source>⚠ camera</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ cámara</translation>
   </message>
   <message>
    <source>not annotated</source>
    <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>sin anotar</translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ ilegible</translation>
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ cámara</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frame_rows.py]</extracomment>
    <translation>
     <numerusform>{n:,} terminada</numerusform>
     <numerusform>{n:,} terminadas</numerusform>
@@ -4927,58 +4857,58 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   </message>
   <message>
    <source>● not saved</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>● sin guardar</translation>
   </message>
   <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
-   <translation>Filtrar imágenes</translation>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>la imagen no se puede leer</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Imágenes</translation>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>JaC medio {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>plegada</translation>
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>desplegada</translation>
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>Filtrar imágenes</translation>
   </message>
   <message>
    <source>No frames.
 Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>No hay imágenes.
 Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</translation>
   </message>
   <message>
    <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Nada coincide con «{query}».</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Imágenes</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>
     <numerusform>{frames} en {n:,} carpeta</numerusform>
     <numerusform>{frames} en {n:,} carpetas</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>the picture cannot be read</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>la imagen no se puede leer</translation>
-  </message>
-  <message>
-   <source>mean JaC {jac:.3f}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>JaC medio {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>folded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>plegada</translation>
-  </message>
-  <message>
-   <source>unfolded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>desplegada</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -5021,12 +4951,17 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Triangulado con {frames}</translation>
   </message>
   <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Otras vistas de este instante: ir a una con un clic</translation>
+  </message>
+  <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>{title} aún no está marcado en ninguna imagen: márquelo en dos vistas calibradas para triangularlo.</translation>
   </message>
   <message>
-   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name next to Add to triangulate it.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Marcados aquí, pero aún sin referencia: {names}. Escriba un nombre junto a Añadir para triangularlos.</translation>
   </message>
@@ -5041,11 +4976,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Medido en el terreno</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Referencias</translation>
-  </message>
-  <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Nueva referencia</translation>
@@ -5054,11 +4984,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Añadir</translation>
-  </message>
-  <message>
-   <source>Have a new landmark, to be clicked (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Crear una nueva referencia para marcarla (Intro)</translation>
   </message>
   <message>
    <source>What people call it</source>
@@ -5076,24 +5001,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Fijar</translation>
   </message>
   <message>
-   <source>The place was measured: it stays as it is from now on (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>El lugar se midió: desde ahora queda como está (Intro)</translation>
-  </message>
-  <message>
    <source>Triangulate</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Triangular</translation>
-  </message>
-  <message>
-   <source>Forget this landmark; clicks on it stay in the annotations</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Olvidar esta referencia; los clics quedan en las anotaciones</translation>
-  </message>
-  <message>
-   <source>Other views of this instant: go to one with a click</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Otras vistas de este instante: ir a una con un clic</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
@@ -5126,7 +5036,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Elija una referencia de la lista para triangularla.</translation>
   </message>
   <message>
-   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <source>Only a landmark that has a name can be triangulated: write one next to Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Solo se puede triangular una referencia con nombre: escríbalo junto a Añadir.</translation>
   </message>
@@ -5137,6 +5047,26 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
     <numerusform>{names} y {n} más</numerusform>
     <numerusform>{names} y {n} más</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Referencias</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Crear una nueva referencia para marcarla (Intro)</translation>
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>El lugar se midió: desde ahora queda como está (Intro)</translation>
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Olvidar esta referencia; los clics quedan en las anotaciones</translation>
   </message>
   <message>
    <source>Title</source>
@@ -5159,7 +5089,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Triangulando…</translation>
   </message>
   <message>
-   <source>a landmark needs a name: write one beside Add</source>
+   <source>a landmark needs a name: write one next to Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>una referencia necesita un nombre: escríbalo junto a Añadir</translation>
   </message>
@@ -5172,164 +5102,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>la referencia {title}</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC según tau</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC por imágenes</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Aún no hay puntuaciones. Se calculan en segundo plano, imagen por imagen.</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>{name} (imagen {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Sin puntuación de esta imagen: no está anotada, o ninguna fuente mostrada tiene su cámara.</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>imagen</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Cada curva es la media de las imágenes para las que esa fuente tiene cámara.</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Sombreado: bandas del 95 %, {drawn}.</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Oculto: el modo ciego solo muestra imágenes entregadas, y ninguna está en este gráfico.</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Oculto: el modo ciego muestra este gráfico una vez entregada esta imagen.</translation>
-  </message>
-  <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Los planos se reconocen por los nombres, pues {error}.</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Errores, como histograma</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} punto sin distancia dejado fuera.</numerusform>
-    <numerusform>{n:,} puntos sin distancia dejados fuera.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Residuos sobre la imagen</translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>error de reproyección (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>puntos</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>La última barra reúne todos los errores mayores.</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{px:g} px o más</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} de {total:,}</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Ningún punto de {element} en esta imagen.</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Ningún punto de {element} hasta ahora.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Ningún punto anotado en esta imagen que proyecte una fuente mostrada.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Hasta ahora ningún punto anotado que proyecte una fuente mostrada.</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Flechas dibujadas más largas</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Cuántas veces más largas de lo que son se dibujan las flechas</translation>
-  </message>
-  <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>automático</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Flechas {factor} veces más largas de lo que son: del clic hacia la proyección.</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Flechas {factor} veces más largas de lo que son: el residuo mediano de cada parte de la imagen con 5 puntos o más.</translation>
-  </message>
-  <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Aún pocos puntos: cinco en una parte de la imagen hacen una flecha.</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
@@ -5372,9 +5144,177 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>{frames}, hasta donde está puntuado</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Oculto: el modo ciego solo muestra imágenes entregadas, y ninguna está en este gráfico.</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Oculto: el modo ciego muestra este gráfico una vez entregada esta imagen.</translation>
+  </message>
+  <message>
    <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
    <translation>Fuentes: {names}</translation>
+  </message>
+  <message>
+   <source>Shots are recognized by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Los planos se reconocen por los nombres, pues {error}.</translation>
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC según tau</translation>
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC por imágenes</translation>
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Aún no hay puntuaciones. Se calculan en segundo plano, imagen por imagen.</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Errores, como histograma</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} punto sin distancia dejado fuera.</numerusform>
+    <numerusform>{n:,} puntos sin distancia dejados fuera.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Residuos sobre la imagen</translation>
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} (imagen {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Sin puntuación de esta imagen: no está anotada, o ninguna fuente mostrada tiene su cámara.</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Cuántas veces más largas de lo que son se dibujan las flechas</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flechas dibujadas más largas</translation>
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau (px)</translation>
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>imagen</translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>error de reproyección (px)</translation>
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>puntos</translation>
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>La última barra reúne todos los errores mayores.</translation>
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{px:g} px o más</translation>
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} {part:,} de {total:,}</translation>
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Ningún punto de {element} en esta imagen.</translation>
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Ningún punto de {element} hasta ahora.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Ningún punto anotado en esta imagen que proyecte una fuente mostrada.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Hasta ahora ningún punto anotado que proyecte una fuente mostrada.</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>automático</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flechas {factor} veces más largas de lo que son: del clic hacia la proyección.</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flechas {factor} veces más largas de lo que son: el residuo mediano de cada parte de la imagen con 5 puntos o más.</translation>
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Cada curva es la media de las imágenes para las que esa fuente tiene cámara.</translation>
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Sombreado: bandas del 95 %, {drawn}.</translation>
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Aún pocos puntos: cinco en una parte de la imagen hacen una flecha.</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copiar o guardar el gráfico y sus números</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Trazar solo los puntos de un elemento</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
@@ -5392,41 +5332,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Guardar</translation>
   </message>
   <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Copiar o guardar el gráfico y sus números</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Copiar o guardar el gráfico</translation>
-  </message>
-  <message>
    <source>Plot</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Gráfico</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Trazar la imagen en pantalla, o todas las puntuadas hasta ahora</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Trazar solo los puntos de un elemento</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Abra una carpeta de imágenes para ver gráficos.</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>No hay cámara que juzgar.
-Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
   </message>
   <message>
    <source>This plot could not be computed: {error}.</source>
@@ -5437,6 +5345,11 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <source>({n:,} committed)</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>({n:,} entregadas)</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copiar o guardar el gráfico</translation>
   </message>
   <message>
    <source>Copy picture</source>
@@ -5459,6 +5372,11 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Guardar números…</translation>
   </message>
   <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Trazar la imagen en pantalla, o todas las puntuadas hasta ahora</translation>
+  </message>
+  <message>
    <source>Computing…</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Calculando…</translation>
@@ -5474,7 +5392,7 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>(sin puntuación)</translation>
   </message>
   <message>
-   <source>Nobody has edited this frame here</source>
+   <source>This frame has not been edited here</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Nadie ha editado aquí esta imagen</translation>
   </message>
@@ -5514,34 +5432,9 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>{seconds} s</translation>
   </message>
   <message>
-   <source>Committed in blind mode by {author}</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Entregada en modo ciego por {author}</translation>
-  </message>
-  <message>
-   <source>{minutes}:{seconds:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{minutes}:{seconds:02d} min</translation>
-  </message>
-  <message>
-   <source>Time worked on this frame; pauses over 30 s do not count</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Tiempo trabajado en esta imagen; las pausas de más de 30 s no cuentan</translation>
-  </message>
-  <message>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Cómo surgieron los puntos de esta imagen</translation>
-  </message>
-  <message>
-   <source>Comments</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Comentarios</translation>
-  </message>
-  <message>
-   <source>No comments on this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>No hay comentarios sobre esta imagen.</translation>
   </message>
   <message>
    <source>Comment on this frame</source>
@@ -5554,9 +5447,29 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Añadir el comentario al hilo (Intro)</translation>
   </message>
   <message>
-   <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Abra primero una carpeta de imágenes.</translation>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Entregada en modo ciego por {author}</translation>
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{minutes}:{seconds:02d} min</translation>
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>No hay comentarios sobre esta imagen.</translation>
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Tiempo trabajado en esta imagen; las pausas de más de 30 s no cuentan</translation>
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Comentarios</translation>
   </message>
   <message>
    <source>Points: {kinds}</source>
@@ -5685,9 +5598,9 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>La cámara y los clics están bien en esta imagen</translation>
   </message>
   <message>
-   <source>Scores by element</source>
+   <source>What causes the score of this frame; saved with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Puntuación por elemento</translation>
+   <translation>De quién es el fallo de la puntuación de esta imagen; se conserva con el conjunto</translation>
   </message>
   <message>
    <source>Precision</source>
@@ -5735,14 +5648,19 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>puntos: {kinds}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Fallo</translation>
+   <translation>{verdict}; otra vez lo retira ({key})</translation>
   </message>
   <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>De quién es el fallo de la puntuación de esta imagen; se conserva con el conjunto</translation>
+   <translation>Veredicto: {verdict}</translation>
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Puntuación por elemento</translation>
   </message>
   <message>
    <source>Copy this explanation</source>
@@ -5753,11 +5671,6 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <source>Copy all explanations</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Copiar todas las explicaciones</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Abra una carpeta de imágenes para ver puntuaciones.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -5777,14 +5690,14 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>No hay ajuste que juzgar: {why}.</translation>
   </message>
   <message>
-   <source>Verdict: {verdict}</source>
+   <source>Counts as {class_name}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Veredicto: {verdict}</translation>
+   <translation>Cuenta como {class_name}</translation>
   </message>
   <message>
-   <source>{verdict}; once more takes it back ({key})</source>
+   <source>Fault</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>{verdict}; otra vez lo retira ({key})</translation>
+   <translation>Fallo</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5800,11 +5713,6 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <source>Annotated elements that the camera does not project</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Elementos anotados que la cámara no proyecta</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Cuenta como {class_name}</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -5891,49 +5799,34 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Anotación</translation>
   </message>
   <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>ciego: la cámara está oculta hasta entregar esta imagen (Ctrl+Intro)</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>cargue cámaras primero: no hay nada que puntuar</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>abra primero una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>el ajuste continuo está desactivado (Ctrl+T)</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>{text}.</translation>
+  </message>
+  <message>
    <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
    <translation>error inesperado ({what})</translation>
-  </message>
-  <message>
-   <source>{who} unlocked this dataset from blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} levantó el modo ciego de este conjunto el {day}</translation>
-  </message>
-  <message>
-   <source>{reason}: there is no live fit in it</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}: no hay ajuste continuo en él</translation>
-  </message>
-  <message>
-   <source>Somebody</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>Alguien</translation>
-  </message>
-  <message>
-   <source>{who} locked this dataset to blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} fijó este conjunto en modo ciego el {day}</translation>
-  </message>
-  <message>
-   <source>This dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>Este conjunto está fijado en modo ciego</translation>
-  </message>
-  <message>
-   <source>{reason}: menu Frame unlocks it, which is recorded</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}: el menú Imagen lo levanta, y queda registrado</translation>
-  </message>
-  <message>
-   <source>this dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>este conjunto está fijado en modo ciego</translation>
-  </message>
-  <message>
-   <source>this dataset is not locked to blind mode any more</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>este conjunto ya no está fijado en modo ciego</translation>
   </message>
   <message>
    <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
@@ -6101,11 +5994,6 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Las dos cámaras son iguales en esta imagen.</translation>
   </message>
   <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Ciego: oculto hasta entregar esta imagen.</translation>
-  </message>
-  <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>No se juzga ninguna fuente: elija una primero.</translation>
@@ -6119,11 +6007,6 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <source>The fitted camera sees no part of the field.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>La cámara ajustada no ve ninguna parte del campo.</translation>
-  </message>
-  <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>El ajuste continuo está desactivado, así que no hay mapa de incertidumbre (Ctrl+T lo activa).</translation>
   </message>
   <message>
    <source>There is no fit of this frame, so no uncertainty map.</source>
@@ -6166,38 +6049,28 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>ningún otro campo conoce mejor estas clases</translation>
   </message>
   <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>todas las imágenes después de esta están anotadas</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>todas las imágenes antes de esta están anotadas</translation>
-  </message>
-  <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>no se puede escribir en {folder}: nada de lo que se anote aquí se puede guardar</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>aún no está todo guardado: el otro conjunto no se abrió</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>aún no está todo guardado: el vídeo no se abrió</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>no hay nada abierto</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>el campo de este conjunto: {field}</translation>
   </message>
   <message>
@@ -6206,14 +6079,14 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>{title}: no se pudo buscar su línea: {why}</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
-   <translation>el ajuste continuo está desactivado</translation>
-  </message>
-  <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
    <translation>el ajuste falló: {why}</translation>
+  </message>
+  <message>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} levantó el modo ciego de este conjunto el {day}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -6224,6 +6097,26 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>solo para usted: no se puede escribir en la carpeta del conjunto</translation>
+  </message>
+  <message>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}: no hay ajuste continuo en él</translation>
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>Este conjunto está fijado en modo ciego</translation>
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>Alguien</translation>
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} fijó este conjunto en modo ciego el {day}</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
@@ -6241,14 +6134,29 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>solo en esta ventana: no se puede escribir nada</translation>
   </message>
   <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
-   <translation>{path}: no hay cámaras dentro ({what_to_do})</translation>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>este conjunto ya no está fijado en modo ciego</translation>
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}: el menú Imagen lo levanta, y queda registrado</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>este conjunto está fijado en modo ciego</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
    <translation>{path}: ninguna cámara tiene el nombre de una imagen (las cámaras se llaman como {camera!r}, las imágenes como {frame!r})</translation>
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
+   <translation>{path}: no hay cámaras dentro ({what_to_do})</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -6289,61 +6197,6 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>la anotación no se puede leer</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Fantasma de {title}</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Aceptar</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Mirar de cerca</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
-   <translation>No visible aquí</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Dibujando {title}</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Dividir aquí: el resto pasa a ser</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>No visible aquí: retirar</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Cambiar la clase a (intercambia con una anotada)</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Punto {number} de {title}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Unir con</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title}, sin confirmar</translation>
-  </message>
-  <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Intro lo ejecuta · ↑ ↓ eligen · Esc cierra</translation>
@@ -6364,16 +6217,6 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Abrir</translation>
   </message>
   <message>
-   <source>Nothing is called “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Nada se llama «{text}».</translation>
-  </message>
-  <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Imagen {number} de {count}</translation>
-  </message>
-  <message>
    <source>An action, element, frame, camera source, folder, number</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Una acción, elemento, imagen, fuente de cámaras, carpeta o número</translation>
@@ -6384,14 +6227,34 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Buscar todo</translation>
   </message>
   <message>
-   <source>What fits</source>
+   <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Lo que encaja</translation>
+   <translation>Nada se llama «{text}».</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Umbral {px:g} px</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Imagen {number} de {count}</translation>
   </message>
   <message>
    <source>Go to this frame</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Ir a esta imagen</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juzgar los elementos con este tau</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Lo que encaja</translation>
   </message>
   <message>
    <source>Judge {source}</source>
@@ -6424,24 +6287,29 @@ Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
    <translation>Abrir este panel y traerlo al frente</translation>
   </message>
   <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Umbral {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Juzgar los elementos con este tau</translation>
-  </message>
-  <message>
    <source>on</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>activado</translation>
   </message>
   <message>
    <source>off</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>desactivado</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action guide]</extracomment>
+   <translation>Guía</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Buscar palabras en esta página</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>La guía está en inglés.</translation>
   </message>
   <message>
    <source>this installation came without its user guide</source>
@@ -6461,6 +6329,11 @@ Annotate and audit sports-camera calibrations.</source>
 Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</translation>
   </message>
   <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Títulos</translation>
+  </message>
+  <message>
    <source>no cameras are loaded (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
    <translation>no hay cámaras cargadas (Ctrl+L)</translation>
@@ -6476,26 +6349,6 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>cargue un segundo conjunto de cámaras para comparar (Ctrl+L)</translation>
   </message>
   <message>
-   <source>Find words in this page</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Buscar palabras en esta página</translation>
-  </message>
-  <message>
-   <source>The user guide is in English.</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>La guía está en inglés.</translation>
-  </message>
-  <message>
-   <source>User guide</source>
-   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
-   <translation>Guía</translation>
-  </message>
-  <message>
-   <source>Headings</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Títulos</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas propias</translation>
@@ -6506,11 +6359,6 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Teclas (*.json)</translation>
   </message>
   <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>En la imagen</translation>
-  </message>
-  <message>
    <source>{menu}: {action}</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}: {action}</translation>
@@ -6519,6 +6367,16 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <source>Search: a word, or a key. A click does what a row says.</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Búsqueda: una palabra o una tecla. Un clic hace lo que dice la fila.</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>En la imagen</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Ninguna tecla, acción ni elemento tiene «{text}».</translation>
   </message>
   <message>
    <source>Search: a word, or a key</source>
@@ -6541,29 +6399,9 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Teclas</translation>
   </message>
   <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Buscar en las teclas</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Ninguna tecla, acción ni elemento tiene «{text}».</translation>
-  </message>
-  <message>
    <source>Change keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Cambiar teclas</translation>
-  </message>
-  <message>
-   <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Búsqueda</translation>
-  </message>
-  <message>
-   <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Todas las teclas a la vez</translation>
   </message>
   <message>
    <source>Only these</source>
@@ -6601,14 +6439,24 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Importar teclas</translation>
   </message>
   <message>
-   <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>⚠ también: {what}</translation>
-  </message>
-  <message>
    <source>New keys: press them here</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas nuevas: púlselas aquí</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Buscar en las teclas</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Búsqueda</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Todas las teclas a la vez</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
@@ -6621,69 +6469,79 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Acción o elemento</translation>
   </message>
   <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>⚠ también: {what}</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Cambiar la clase a (intercambia con una anotada)</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Dibujando {title}</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Dividir aquí: el resto pasa a ser</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Fantasma de {title}</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Aceptar</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Mirar de cerca</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/menus.py, the action not_visible]</extracomment>
+   <translation>No visible aquí</translation>
+  </message>
+  <message>
    <source>{action}: {step}</source>
    <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{action}: {step}</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>error inesperado ({what}); se sigue guardando, los detalles están en {path}</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Punto {number} de {title}</translation>
   </message>
   <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>los detalles están copiados; también están en {path}</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>No visible aquí: retirar</translation>
   </message>
   <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>no hubo ningún error inesperado; se registran en {path}</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Unir con</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>no editable: la barra sobre la imagen dice por qué</translation>
-  </message>
-  <message>
-   <source>Search the settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Buscar en los ajustes</translation>
-  </message>
-  <message>
-   <source>{setting}: back to {value}</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>{setting}: volver a {value}</translation>
-  </message>
-  <message>
-   <source>Settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Ajustes</translation>
-  </message>
-  <message>
-   <source>All to their defaults</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Todo por defecto</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
-   <translation>Cambiar teclas…</translation>
-  </message>
-  <message>
-   <source>No setting has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Ningún ajuste tiene «{text}».</translation>
-  </message>
-  <message>
-   <source>none of your own</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>ninguno propio</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title}, sin confirmar</translation>
   </message>
   <message>
    <source>ground ±{metres:.2f} m</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>suelo ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>error inesperado ({what}); se sigue guardando, los detalles están en {path}</translation>
   </message>
   <message>
    <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
@@ -6735,9 +6593,24 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Esc lo termina</translation>
   </message>
   <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>Barra de herramientas</translation>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Esta imagen no se puede editar. {problem}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>los detalles están copiados; también están en {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>no hubo ningún error inesperado; se registran en {path}</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>no editable: la barra sobre la imagen dice por qué</translation>
   </message>
   <message>
    <source>Picture
@@ -6745,6 +6618,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
    <translation>Imagen
 Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Barra de herramientas</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -6757,19 +6635,24 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Umbral tau: un elemento pasa si todos sus puntos están más cerca (+ y -)</translation>
   </message>
   <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>guardado {time}</translation>
-  </message>
-  <message>
    <source>The camera set that is judged (C switches)</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>El conjunto de cámaras que se juzga (C cambia)</translation>
   </message>
   <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Estado de esta imagen (panel Revisión)</translation>
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Con qué se calcula la puntuación: {terms}</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>guardado {time}</translation>
   </message>
   <message numerus="yes">
    <source>NOT SAVED: {n} frames</source>
@@ -6785,11 +6668,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Barra superior</translation>
   </message>
   <message>
-   <source>Status of this frame (panel Review)</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Estado de esta imagen (panel Revisión)</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Campo: {field}</translation>
@@ -6800,19 +6678,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Clic para elegir otro</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Umbral tau</translation>
-  </message>
-  <message>
    <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; del ajuste</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6820,9 +6688,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>guardando...</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;ciego&lt;/b&gt;: entregar para ver el JaC</translation>
+   <translation>Umbral tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; del ajuste</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6830,12 +6703,17 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>sin cambios</translation>
   </message>
   <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;ciego&lt;/b&gt;: entregar para ver el JaC</translation>
+  </message>
+  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Suelte aquí una carpeta de imágenes</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Las anotaciones se leen y guardan como JSON de SoccerNet junto a las imágenes. Suelte más tarde una carpeta de cámaras para verlas juzgadas con sus clics.</translation>
   </message>
@@ -6873,6 +6751,41 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>Nothing was opened yet</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Aún no se ha abierto nada</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>{setting}: volver a {value}</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Ningún ajuste tiene «{text}».</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Ajustes</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Buscar en los ajustes</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Todo por defecto</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>ninguno propio</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py, the action keymap]</extracomment>
+   <translation>Cambiar teclas…</translation>
   </message>
   <message>
    <source>Scores</source>
@@ -7288,7 +7201,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>un clic no hace nada: no hay puntos que editar, dibuje antes un elemento</translation>
   </message>
   <message>
-   <source>click a point to drag it, beside it to let go</source>
+   <source>click a point to drag it, next to it to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>clic en un punto para arrastrarlo, al lado para soltarlo</translation>
   </message>
@@ -7359,7 +7272,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>un clic lo marca</translation>
   </message>
   <message>
-   <source>hold Ctrl to click beside the line</source>
+   <source>hold Ctrl to click off the line</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>mantenga Ctrl para marcar junto a la línea</translation>
   </message>
@@ -7557,7 +7470,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Abrir segundo anotador…</translation>
   </message>
   <message>
-   <source>Draw and compare what somebody else clicked in the same frames</source>
+   <source>Draw and compare what another annotator clicked in the same frames</source>
    <extracomment>[the action open_second]</extracomment>
    <translation>Dibujar y comparar lo que otra persona marcó en las mismas imágenes</translation>
   </message>
@@ -8012,7 +7925,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Siguiente sin anotación</translation>
   </message>
   <message>
-   <source>Go on to the next frame where nothing is annotated</source>
+   <source>Go to the next frame without annotations</source>
    <extracomment>[the action next_unannotated]</extracomment>
    <translation>Ir a la próxima imagen en que no hay nada anotado</translation>
   </message>
@@ -8022,7 +7935,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Anterior sin anotación</translation>
   </message>
   <message>
-   <source>Go back to the frame before where nothing is annotated</source>
+   <source>Go to the previous frame without annotations</source>
    <extracomment>[the action previous_unannotated]</extracomment>
    <translation>Volver a la imagen anterior en que no hay nada anotado</translation>
   </message>
@@ -8127,7 +8040,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Siguiente imagen dudosa</translation>
   </message>
   <message>
-   <source>Go on to the next frame whose track should be looked at</source>
+   <source>Go to the next frame whose track should be checked</source>
    <extracomment>[the action next_doubtful]</extracomment>
    <translation>Ir a la próxima imagen cuyo seguimiento conviene mirar</translation>
   </message>
@@ -8257,7 +8170,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Conservar esta imagen del vídeo</translation>
   </message>
   <message>
-   <source>Write the frame of the video as a picture beside its annotation</source>
+   <source>Write the frame of the video as a picture next to its annotation</source>
    <extracomment>[the action keep_frame]</extracomment>
    <translation>Escribir la imagen del vídeo como archivo junto a su anotación</translation>
   </message>
@@ -8287,7 +8200,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Descartar elementos sin confirmar</translation>
   </message>
   <message>
-   <source>Throw away what was copied and nobody touched</source>
+   <source>Remove copied elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
    <translation>Tirar lo que se copió y nadie tocó</translation>
   </message>
@@ -8452,7 +8365,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Ajustarse a las líneas</translation>
   </message>
   <message>
-   <source>Clicks near a painted line go to its centre (hold Ctrl to click beside it)</source>
+   <source>Clicks near a painted line go to its centre (hold Ctrl to click off it)</source>
    <extracomment>[the action snapping, the setting snapping]</extracomment>
    <translation>Los clics cerca de una línea pintada van a su centro (mantener Ctrl para marcar al lado)</translation>
   </message>
@@ -8722,7 +8635,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Anchura pintada</translation>
   </message>
   <message>
-   <source>Draw how wide the paint of the field's lines must appear, beside the projection</source>
+   <source>Draw how wide the field's lines must appear, along the projection</source>
    <extracomment>[the action painted_width, the setting painted_width]</extracomment>
    <translation>Dibujar junto a la proyección qué ancho debe tener la pintura de las líneas del campo</translation>
   </message>
@@ -8772,9 +8685,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Tira de imágenes</translation>
   </message>
   <message>
-   <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
+   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Bajo la imagen: en un vídeo o en imágenes seguidas, cómo van sus cámaras y dónde están anotadas; en otras, miniaturas con su estado</translation>
+   <translation>Bajo la imagen: en un vídeo o en imágenes seguidas, cómo van sus cámaras y dónde están anotadas</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
@@ -8917,7 +8830,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Dibujar otras fuentes</translation>
   </message>
   <message>
-   <source>Draw the sources ticked in the Cameras panel as wireframes beside the active one</source>
+   <source>Draw the sources ticked in the Cameras panel as wireframes, with the active one</source>
    <extracomment>[the action others]</extracomment>
    <translation>Dibujar las fuentes marcadas en el panel Cámaras como armazones junto a la activa</translation>
   </message>

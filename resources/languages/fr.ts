@@ -772,7 +772,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>annulé</translation>
   </message>
   <message>
@@ -827,7 +827,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Image</translation>
   </message>
   <message>
@@ -837,7 +837,7 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, the menus]</extracomment>
    <translation>Affichage</translation>
   </message>
   <message>
@@ -864,11 +864,6 @@
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
    <translation>annulé : la caméra est comme avant le glissement</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
-   <translation>mode aveugle : aucune caméra n’est montrée</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
@@ -1230,47 +1225,47 @@
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>rien n’a changé : déjà régulier, ou aucune ligne peinte n’y a été trouvée</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} copié de {frame}, le long du suivi ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} copié de {frame}, déplacé avec la caméra ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what} copié de {frame}, tel quel : aucun mouvement trouvé ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>annulé : rien n’est régularisé</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>annulé : rien n’est copié</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>l’image a été quittée : rien n’a été régularisé</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>l’image a été quittée : rien n’a été copié</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{n} point non confirmé par la peinture</numerusform>
     <numerusform>{n} points non confirmés par la peinture</numerusform>
@@ -1278,22 +1273,22 @@
   </message>
   <message>
    <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>régulariser {what}</translation>
   </message>
   <message>
    <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>copier de {frame}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>choisissez d’abord un élément annoté</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/versions.py]</extracomment>
    <translation>
     <numerusform>{n} élément</numerusform>
     <numerusform>{n} éléments</numerusform>
@@ -1301,7 +1296,7 @@
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{what} régularisé : {n} point</numerusform>
     <numerusform>{what} régularisé : {n} points</numerusform>
@@ -1309,52 +1304,47 @@
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{element} a des coins ou n’est qu’un seul lieu : il reste tel quel</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>aucun élément du terrain n’est annoté ici</translation>
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>aucune image avant celle-ci n’est annotée</translation>
   </message>
   <message>
    <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} n’a aucun élément qui manque ici</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} devient {other}</translation>
   </message>
   <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
-   <translation>échanger {element} et {other}</translation>
-  </message>
-  <message>
    <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>dupliquer {element} en {other}</translation>
   </message>
   <message>
    <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>fusionner {element} dans {other}</translation>
   </message>
   <message>
    <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>fermer les écarts</translation>
   </message>
   <message numerus="yes">
    <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>confirmer {n} élément</numerusform>
     <numerusform>confirmer {n} éléments</numerusform>
@@ -1362,7 +1352,7 @@
   </message>
   <message numerus="yes">
    <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>écarter {n} élément non confirmé</numerusform>
     <numerusform>écarter {n} éléments non confirmés</numerusform>
@@ -1370,27 +1360,32 @@
   </message>
   <message>
    <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Nom de la ligne</translation>
   </message>
   <message>
    <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Quelle est cette ligne ?</translation>
   </message>
   <message>
    <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} est une courbe, que deux points ne montrent pas : continuer à cliquer</translation>
   </message>
   <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation>échanger {element} et {other}</translation>
+  </message>
+  <message>
    <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} est sa propre classe symétrique</translation>
   </message>
   <message numerus="yes">
    <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{elements} est déjà annoté</numerusform>
     <numerusform>{elements} sont déjà annotés</numerusform>
@@ -1398,27 +1393,27 @@
   </message>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} est là où est {other} : glissez-le à sa place</translation>
   </message>
   <message>
    <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>inverser {element}</translation>
   </message>
   <message>
    <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>choisissez d’abord le point où couper (mode édition)</translation>
   </message>
   <message>
    <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>couper {element}</translation>
   </message>
   <message numerus="yes">
    <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} élément confirmé</numerusform>
     <numerusform>{n} éléments confirmés</numerusform>
@@ -1426,22 +1421,22 @@
   </message>
   <message>
    <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>rien n’est à confirmer sur cette image</translation>
   </message>
   <message>
    <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} est déjà annoté</translation>
   </message>
   <message>
    <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>aucun bout n’est si près d’un coin ou du bord de l’image</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{n} élément non confirmé écarté</numerusform>
     <numerusform>{n} éléments non confirmés écartés</numerusform>
@@ -1449,651 +1444,70 @@
   </message>
   <message>
    <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>La laisser sans nom</translation>
   </message>
   <message>
    <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>un élément se coupe à un point entre ses bouts, vers une classe libre</translation>
   </message>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} a été changé ailleurs : regardez-le à nouveau</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} point</numerusform>
-    <numerusform>{n} points</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>la caméra est une autre entre-temps</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>accepter {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} fantôme</numerusform>
-    <numerusform>{n} fantômes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} fantômes sur {total}</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} accepté</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>l’image a été modifiée entre-temps</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>la recherche de la ligne sur {frame} a pris trop de temps</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} n’est pas accepté : {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Accepter tous les fantômes</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} accepté sur {frame}</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté : {why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} n’est pas accepté</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} est accepté dès que ses points sont trouvés</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>allez d’abord à un fantôme (Tab) ou choisissez un élément</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>ouvrez d’abord un dossier d’images</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : {why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes en mode aveugle, jusqu’à la remise de l’image (Ctrl+Entrée)</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : l’ajustement continu est désactivé (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>terminez d’abord ce qui est dessiné (Entrée), ou abandonnez-le (Échap)</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra ne s’ajuste encore</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>il est dessiné à la main</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} n’est pas visible ici ; Ctrl+. l’annule</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} est peut-être de nouveau visible ici</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>aucun élément de cette image n’a été dit non visible</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>c’était le dernier fantôme</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>allez d’abord à un fantôme (Tab)</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{off} ; choisissez d’abord un élément</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Garder le terrain, et ne plus parler de ces classes</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Le jeu de données s’en souvient et n’est plus interrogé</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Non, {field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Le terrain de ce jeu de données</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Descriptions de terrains (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{why}, mais {file} dans le dossier du jeu décide</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Oui, {field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>Passer à {field}</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Seules la longueur et la largeur se trouvent d’après les images, et les règles fixent celles de ce terrain</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
-    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>là où les règles mesurent</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>le milieu de la peinture</translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
-    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Dimensions du terrain : {field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Estimer d’après ce jeu</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Garder pour ce jeu de données</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Nominales</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Le terrain tel que le prennent les évaluations officielles</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>nominal {nominal:g} m, les règles permettent de {minimum:g} à {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} image</numerusform>
-    <numerusform>{n} images</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} stade</numerusform>
-    <numerusform>{n} stades</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Les clics sont sur :</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Arrêter</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>les règles fixent toutes les dimensions du terrain {field}</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Ce qu’il dit maintenant est perdu, avec tout ce qui y est écrit.</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Instant</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image</numerusform>
-    <numerusform>{n:,} images</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} groupe de {least} à {most}</numerusform>
-    <numerusform>{frames} en {n:,} groupes de {least} à {most}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} de {n:,} instant</numerusform>
-    <numerusform>{frames} de {n:,} instants</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image, non groupée.</numerusform>
-    <numerusform>{n:,} images, aucune groupée.</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames} en {n:,} groupe</numerusform>
-    <numerusform>{frames} en {n:,} groupes</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Groupes d’images</translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} existe déjà : {sizes}.</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} groupe désormais {sizes}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} instant avec une seule image</numerusform>
-    <numerusform>{n:,} instants avec une seule image</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} nom ne convient pas (à la fin de la table)</numerusform>
-    <numerusform>{n:,} noms ne conviennent pas (à la fin de la table)</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Grouper les vues</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Motif des noms d’images</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Écrire {file}</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>Garder ces groupes dans le dossier du jeu</translation>
-  </message>
-  <message>
    <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>? (reste telle quelle, une classe inconnue)</translation>
   </message>
   <message>
    <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
    <translation>Laisser de côté</translation>
   </message>
   <message>
    <source>Label</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Étiquette</translation>
   </message>
   <message>
    <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Formes</translation>
   </message>
   <message>
    <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Signifie</translation>
   </message>
   <message>
    <source>Why</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Pourquoi</translation>
   </message>
   <message>
    <source>sure</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>sûr</translation>
   </message>
   <message>
    <source>likely</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>probable</translation>
   </message>
   <message>
    <source>to be said</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>à dire</translation>
   </message>
   <message numerus="yes">
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>
     <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
     <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
@@ -2101,179 +1515,179 @@
   </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ces noms ressemblent plus à ceux de {field} : choisissez d’abord ce terrain (Fichier &gt; Terrain).</translation>
   </message>
   <message>
    <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Noms d’un autre programme</translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Garder ces noms avec le jeu de données ({file})</translation>
   </message>
   <message>
    <source>Import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importer</translation>
   </message>
   <message>
    <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ce que signifie {label}</translation>
   </message>
   <message>
    <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ce qui en est sorti</translation>
   </message>
   <message>
    <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importer des annotations</translation>
   </message>
   <message>
    <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Annotations à importer</translation>
   </message>
   <message>
    <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Regarder dans les fichiers</translation>
   </message>
   <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <source>Only frames without annotations</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Seulement les images où rien n’est encore annoté</translation>
   </message>
   <message>
    <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Remplacer aussi ce qui est annoté dans les autres</translation>
   </message>
   <message>
    <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ce qui y était reste parmi les versions antérieures de l’image, et annuler le ramène</translation>
   </message>
   <message>
    <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Annotations</translation>
   </message>
   <message>
    <source>Format</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Format</translation>
   </message>
   <message>
    <source>Import into</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Importer dans</translation>
   </message>
   <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
-   <translation>Les images sont appariées par le nom de leur fichier.</translation>
-  </message>
-  <message>
    <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Annotations (*.json *.xml *.zip);;Tous les fichiers (*)</translation>
   </message>
   <message>
    <source>Export as</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Exporter sous</translation>
   </message>
   <message>
    <source>Export…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Exporter…</translation>
   </message>
   <message>
    <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Une archive zip au lieu d’un dossier</translation>
   </message>
   <message>
    <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Remplacer les fichiers existants</translation>
   </message>
   <message>
    <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Garder les éléments pour lesquels SoccerNet n’a pas de classe</translation>
   </message>
   <message>
    <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Largeur des lignes</translation>
   </message>
   <message>
    <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Copier aussi les images</translation>
   </message>
   <message>
    <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Exporter dans un dossier</translation>
   </message>
   <message>
    <source>Keeps {holds}.
 Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Garde {holds}.
 Perd {loses}.</translation>
   </message>
   <message>
    <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Ajouter ces noms à {file} du jeu, réécrit</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
    <translation>Abandonner</translation>
   </message>
   <message>
    <source>Close</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Fermer</translation>
   </message>
   <message>
    <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Un dossier, une archive zip ou un seul fichier</translation>
   </message>
   <message>
    <source>File…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Fichier…</translation>
   </message>
   <message>
    <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Dossier…</translation>
   </message>
   <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
+   <translation>Les images sont appariées par le nom de leur fichier.</translation>
+  </message>
+  <message>
    <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Archive zip (*.zip)</translation>
   </message>
   <message>
    <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frames}, {elements} et {points} écrits dans {path} ({format}).</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} annotation</numerusform>
     <numerusform>{n:,} annotations</numerusform>
@@ -2281,7 +1695,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>JaC de {n:,} image</numerusform>
     <numerusform>JaC de {n:,} images</numerusform>
@@ -2289,47 +1703,50 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Tout n’a pas pu être enregistré : ce qui est sur le disque vaut.</translation>
   </message>
   <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
+  </message>
+  <message>
    <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>l’ajustement de {frame} est enregistré comme {path}</translation>
   </message>
   <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
-  </message>
-  <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{source} est fait des clics d’après lesquels il serait noté : jugez les caméras à noter (procc-annotator calibrate ajuste et note un jeu)</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{annotations} et {scores}</translation>
   </message>
   <message>
    <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>rien : aucune image n’est annotée</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>export : annulé ; les fichiers déjà écrits sont encore là</translation>
   </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image</numerusform>
+    <numerusform>{n:,} images</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n:,} élément</numerusform>
     <numerusform>{n:,} éléments</numerusform>
@@ -2337,45 +1754,30 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} point</numerusform>
     <numerusform>{n:,} points</numerusform>
    </translation>
   </message>
   <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>l’ajustement continu est désactivé (Ctrl+T)</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>aveugle : l’ajustement est caché jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>pas de caméra à enregistrer : {why}</translation>
-  </message>
-  <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Archive zip (*.zip);;Dossier (*)</translation>
   </message>
   <message>
    <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Table (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
    <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Exporter la vue d’ensemble</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} image exportée vers {path}</numerusform>
     <numerusform>{n:,} images exportées vers {path}</numerusform>
@@ -2383,67 +1785,72 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>le jeu était encore en cours de notation : des images n’ont pas encore de JaC</translation>
   </message>
   <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>aveugle : aucune image n’est encore remise, donc pas de JaC à montrer</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{what} exporté vers {path}</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Annulé ; les fichiers déjà écrits sont encore là.</translation>
   </message>
   <message>
    <source>Not written</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Non écrits</translation>
   </message>
   <message>
    <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Ce que le format ne peut pas contenir</translation>
   </message>
   <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>pas de caméra à enregistrer : {why}</translation>
+  </message>
+  <message>
    <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>l’ajustement est en cours de recalcul : enregistrez-le dans un instant</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame} : l’image est illisible, si bien que les pixels de la caméra n’ont pas de taille ; non enregistré</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>enregistré comme {path}, mais les caméras chargées n’ont pu être relues : {problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{saved} ; il est à peine déterminé : {why}</translation>
   </message>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>tout n’a pas pu être enregistré : l’export a le dernier état enregistré</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>le mode aveugle laisse de côté {n:,} image pas encore remise</numerusform>
     <numerusform>le mode aveugle laisse de côté {n:,} images pas encore remises</numerusform>
@@ -2451,7 +1858,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} fichier illisible : {problem}</numerusform>
     <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
@@ -2459,30 +1866,610 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
    <translation>Table (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Exporter</translation>
   </message>
   <message>
    <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>export {done} / {total}</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Garder le terrain, et ne plus parler de ces classes</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Le jeu de données s’en souvient et n’est plus interrogé</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Non, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Le terrain de ce jeu de données</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Descriptions de terrains (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{why}, mais {file} dans le dossier du jeu décide</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Oui, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>Passer à {field}</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Seules la longueur et la largeur se trouvent d’après les images, et les règles fixent celles de ce terrain</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>là où les règles mesurent</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>le milieu de la peinture</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Dimensions du terrain : {field}</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
+    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Estimer d’après ce jeu</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Les clics sont sur :</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Garder pour ce jeu de données</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Nominales</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Le terrain tel que le prennent les évaluations officielles</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>nominal {nominal:g} m, les règles permettent de {minimum:g} à {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} image</numerusform>
+    <numerusform>{n} images</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} stade</numerusform>
+    <numerusform>{n} stades</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py, procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Arrêter</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>les règles fixent toutes les dimensions du terrain {field}</translation>
+  </message>
+  <message>
+   <source>Blind: the set is checked once one of its frames is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune image après celle-ci n’est annotée</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune image après celle-ci n’est douteuse</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune image avant celle-ci n’est douteuse</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune autre image n’est rejetée</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{frame} est {status}</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune image notée où aller</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>comparaison de {source} et {other} sur le jeu</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucun plan n’a encore été suivi (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ces images ne se suivent pas</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>toutes les images après celle-ci sont annotées</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>toutes les images avant celle-ci sont annotées</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>toutes les images après celle-ci sont terminées ou approuvées</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>toutes les images avant celle-ci sont terminées ou approuvées</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} et {other} ne peuvent être comparées au sol sur aucune image</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>comparaison des sources arrêtée</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>c’est la pire ; une fois de plus continue</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune autre image n’est notée</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>à partir de la pire à nouveau</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>deux sources sont déjà en cours de comparaison</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} et {other} sont comparées</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/ghost_accepting.py, procc_annotator/gui/commands/versions.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>
+    <numerusform>{n} point</numerusform>
+    <numerusform>{n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>la caméra est une autre entre-temps</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>accepter {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} fantôme</numerusform>
+    <numerusform>{n} fantômes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{n} fantômes sur {total}</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} accepté</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>l’image a été modifiée entre-temps</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>la recherche de la ligne sur {frame} a pris trop de temps</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} n’est pas accepté : {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Accepter tous les fantômes</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what} accepté sur {frame}</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté : {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} n’est pas accepté</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>aucun fantôme accepté</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} est accepté dès que ses points sont trouvés</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>allez d’abord à un fantôme (Tab) ou choisissez un élément</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>terminez d’abord ce qui est dessiné (Entrée), ou abandonnez-le (Échap)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>aucune caméra ne s’ajuste encore</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>il est dessiné à la main</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} n’est pas visible ici ; Ctrl+. l’annule</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} est peut-être de nouveau visible ici</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>aucun élément de cette image n’a été dit non visible</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>c’était le dernier fantôme</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>allez d’abord à un fantôme (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{off} ; choisissez d’abord un élément</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{edited} sur {n:,} image importée ({format}).</numerusform>
     <numerusform>{edited} sur {n:,} images importées ({format}).</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <source>Cancelled: {n:,} frames were not checked.</source>
+   <extracomment>Cancelled: {n:,} frame was not checked. / Cancelled: {n:,} frames were not checked. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>Annulé : {n:,} image n’a pas été regardée.</numerusform>
     <numerusform>Annulé : {n:,} images n’ont pas été regardées.</numerusform>
@@ -2490,7 +2477,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} image est déjà annotée et reste inchangée.</numerusform>
     <numerusform>{n:,} images sont déjà annotées et restent inchangées.</numerusform>
@@ -2498,7 +2485,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} image contient déjà la même chose.</numerusform>
     <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
@@ -2507,12 +2494,12 @@ Perd {loses}.</translation>
   <message>
    <source>import</source>
    <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>importer</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{edited} sur {n:,} image importée</numerusform>
     <numerusform>{edited} sur {n:,} images importées</numerusform>
@@ -2520,355 +2507,65 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Annulé ; rien n’a été importé.</translation>
   </message>
   <message>
    <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Laissées telles quelles</translation>
   </message>
   <message>
    <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Illisibles</translation>
   </message>
   <message>
    <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Sans image ici ({n})</translation>
   </message>
   <message>
    <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>Changées ou laissées de côté</translation>
   </message>
   <message>
    <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>elle n’a pas pu être enregistrée : {why}</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Images</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Vidéos</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>l’exemple vient avec le code source, pas ici</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
-  </message>
-  <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Charger un dossier de caméras</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Charger des caméras</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Caméras</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Ouvrir un dossier d’images</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Ouvrir une image</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Ouvrir une vidéo</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>Ouvrir le dossier d’un second annotateur</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, sans la légende</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>PNG : pixels, rien n’est perdu</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>JPEG : pixels, petit</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>SVG : lignes et texte restent nets</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Image (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Enregistrer l’image superposée</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Expliquer couleurs, tirets et marques sous l’image</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Type</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Échelle</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>Résultat</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>&amp;Légende</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>écriture de l’image superposée {path} …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>ouvrez d’abord une image</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>image superposée écrite dans {path}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Une image toutes les</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>La première image de chaque scène</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>Terrain</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Lecture de {file}</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Recherche de coupes dans {file}</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>cette image est déjà un fichier</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>gardée comme {path}</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>pas encore de JaC : chargez d’abord des caméras</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>aucune autre image n’est rejetée</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{frame} est {status}</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>aucune image notée où aller</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>comparaison de {source} et {other} sur le jeu</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>toutes les images après celle-ci sont terminées ou approuvées</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>toutes les images avant celle-ci sont terminées ou approuvées</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} et {other} ne peuvent être comparées au sol sur aucune image</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>comparaison des sources arrêtée</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>c’est la pire ; une fois de plus continue</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>aucune autre image n’est notée</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>à partir de la pire à nouveau</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>deux sources sont déjà en cours de comparaison</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} et {other} sont comparées</translation>
   </message>
   <message>
    <source>error</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>erreur</translation>
   </message>
   <message>
    <source>warning</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>avertissement</translation>
   </message>
   <message>
    <source>hint</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>remarque</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>constat {place} sur {total}, {severity} : {elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>aucun constat n’est aussi sûr que le panneau Vérification le demande</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n} élément renommé</numerusform>
     <numerusform>{n} éléments renommés</numerusform>
@@ -2876,7 +2573,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} image vérifiée, modèle de caméra {model} : {found}</numerusform>
     <numerusform>{n:,} images vérifiées, modèle de caméra {model} : {found}</numerusform>
@@ -2884,7 +2581,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} image vérifiée</numerusform>
     <numerusform>{n:,} images vérifiées</numerusform>
@@ -2892,47 +2589,47 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} et {other}</translation>
   </message>
   <message>
    <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la vérification des classes examine encore cette image</translation>
   </message>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{done} ; Ctrl+Z l’annule</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>point {n} de {element} retiré</translation>
   </message>
   <message>
    <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} et {other} échangés</translation>
   </message>
   <message>
    <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} renommé en {other}</translation>
   </message>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} image ne peut être vérifiée</numerusform>
     <numerusform>{n:,} images ne peuvent être vérifiées</numerusform>
@@ -2940,12 +2637,12 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>Exporter les constats</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} constat de {frames} exporté vers {path}</numerusform>
     <numerusform>{n:,} constats de {frames} exportés vers {path}</numerusform>
@@ -2953,257 +2650,267 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la vérification des classes n’a rien trouvé</translation>
   </message>
   <message>
    <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>point de {element} retiré</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>allez d’abord à un constat (F10)</translation>
   </message>
   <message>
    <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
   </message>
   <message>
    <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>la vérification des classes n’a rien trouvé sur cette image</translation>
   </message>
   <message>
    <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>rien trouvé</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>aucun remède connu : {reason}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Lever le mode aveugle montre caméras, fantômes et ajustement à tous ceux qui annotent ce jeu. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Lever le mode aveugle vous montre caméras, fantômes et ajustement ; pour les autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ouvrir une vidéo</translation>
   </message>
   <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>le mode aveugle laisse de côté {n} sur des images non remises</translation>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Une image toutes les</translation>
   </message>
   <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Lever le mode aveugle</translation>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>La première image de chaque scène</translation>
   </message>
   <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Lever, et le consigner</translation>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
   </message>
   <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Le laisser imposé</translation>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, the field american_football, the menus]</extracomment>
+   <translation>Terrain</translation>
   </message>
   <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{frame} : plus de verdict sur {source}</translation>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Lecture de {file}</translation>
   </message>
   <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Note sur le verdict</translation>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Recherche de coupes dans {file}</translation>
   </message>
   <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Ce qui est faux ici :</translation>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Images</translation>
   </message>
   <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>Exporter les verdicts</translation>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Vidéos</translation>
   </message>
   <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>aveugle : aucune image remise n’a de verdict</translation>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
   </message>
   <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} verdict exporté vers {path}</numerusform>
-    <numerusform>{n:,} verdicts exportés vers {path}</numerusform>
-   </translation>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
   </message>
   <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>un verdict porte sur une image et une caméra : chargez d’abord des caméras</translation>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>cette image est déjà un fichier</translation>
   </message>
   <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>gardée comme {path}</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>l’exemple vient avec le code source, pas ici</translation>
   </message>
   <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
   </message>
   <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Charger un dossier de caméras</translation>
   </message>
   <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Charger des caméras</translation>
   </message>
   <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Il n’y a pas de version antérieure de cette image.</translation>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Caméras</translation>
   </message>
   <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ouvrir un dossier d’images</translation>
   </message>
   <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>illisible</translation>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ouvrir une image</translation>
   </message>
   <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>vide</translation>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>Ouvrir le dossier d’un second annotateur</translation>
   </message>
   <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>comme maintenant</translation>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, sans la légende</translation>
   </message>
   <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>autres éléments</translation>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
   </message>
   <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>points déplacés</translation>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>PNG : pixels, rien n’est perdu</translation>
   </message>
   <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>C’est ce que l’image contient maintenant.</translation>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>JPEG : pixels, petit</translation>
   </message>
   <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>SVG : lignes et texte restent nets</translation>
   </message>
   <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>restaurer une version antérieure</translation>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Image (*{suffix})</translation>
   </message>
   <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Versions antérieures</translation>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Enregistrer l’image superposée</translation>
   </message>
   <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>Restaurer</translation>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
   </message>
   <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>%d/%m/%Y, %H:%M:%S</translation>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Expliquer couleurs, tirets et marques sous l’image</translation>
   </message>
   <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>{n} de plus</translation>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Type</translation>
   </message>
   <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Échelle</translation>
   </message>
   <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>la version antérieure est de retour ; ce qui était illisible reste comme version</translation>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>Résultat</translation>
   </message>
   <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>&amp;Légende</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>écriture de l’image superposée {path} …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>ouvrez d’abord une image</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>image superposée écrite dans {path}</translation>
   </message>
   <message>
    <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>elle est annotée entre-temps</translation>
   </message>
   <message>
    <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>elle a été modifiée depuis</translation>
   </message>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} image acceptée le long du suivi</numerusform>
     <numerusform>{n:,} images acceptées le long du suivi</numerusform>
@@ -3211,12 +2918,12 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Ctrl+Z les annule</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>annulé : {n:,} image acceptée le long du suivi</numerusform>
     <numerusform>annulé : {n:,} images acceptées le long du suivi</numerusform>
@@ -3224,7 +2931,7 @@ Perd {loses}.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} image laissée : {why}</numerusform>
     <numerusform>{n:,} images laissées : {why}</numerusform>
@@ -3232,42 +2939,42 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>recherche de peinture le long du suivi</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image acceptée : {why}</translation>
   </message>
   <message>
    <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>accepter le suivi</translation>
   </message>
   <message>
    <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>revenir sur le suivi</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>rien n’a été accepté qui puisse être annulé</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>annulé : aucune image n’est acceptée</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} image suivie, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
     <numerusform>{n:,} images suivies, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
@@ -3275,12 +2982,12 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>suivi : {done} images sur {total}  ·  T arrête</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} image suivie, sûre ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
     <numerusform>{n:,} images suivies, toutes sûres ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
@@ -3288,68 +2995,321 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>recherche des bouts du plan …  T arrête</translation>
   </message>
   <message>
    <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>le plan n’a pu être suivi : {why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>seule une vidéo, ou des images qui se suivent, peut être suivie</translation>
   </message>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>arrêté ; ce qui est suivi jusqu’ici reste</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>arrêté ; rien n’a été suivi</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>aucune image après celle-ci n’est annotée</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Lever le mode aveugle montre caméras, fantômes et ajustement à tous ceux qui annotent ce jeu. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
   </message>
   <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>aucune image après celle-ci n’est douteuse</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Lever le mode aveugle vous montre caméras, fantômes et ajustement ; pour les autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
   </message>
   <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>aucune image avant celle-ci n’est douteuse</translation>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>le mode aveugle laisse de côté {n} sur des images non remises</translation>
   </message>
   <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{frame} : plus de verdict sur {source}</translation>
   </message>
   <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>aucun plan n’a encore été suivi (T)</translation>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Note sur le verdict</translation>
   </message>
   <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>ces images ne se suivent pas</translation>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Ce qui est faux ici :</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Exporter les verdicts</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>aveugle : aucune image remise n’a de verdict</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} verdict exporté vers {path}</numerusform>
+    <numerusform>{n:,} verdicts exportés vers {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Lever le mode aveugle</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Lever, et le consigner</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Le laisser imposé</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Il n’y a pas de version antérieure de cette image.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>illisible</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>vide</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>comme maintenant</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>autres éléments</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>points déplacés</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>C’est ce que l’image contient maintenant.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>restaurer une version antérieure</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Versions antérieures</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>Restaurer</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>%d/%m/%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>{n} de plus</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>la version antérieure est de retour ; ce qui était illisible reste comme version</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Ce qu’il dit maintenant est perdu, avec tout ce qui y est écrit.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Instant</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} groupe de {least} à {most}</numerusform>
+    <numerusform>{frames} en {n:,} groupes de {least} à {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} de {n:,} instant</numerusform>
+    <numerusform>{frames} de {n:,} instants</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image, non groupée.</numerusform>
+    <numerusform>{n:,} images, aucune groupée.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} en {n:,} groupe</numerusform>
+    <numerusform>{frames} en {n:,} groupes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Groupes d’images</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} groupe désormais {sizes}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} instant avec une seule image</numerusform>
+    <numerusform>{n:,} instants avec une seule image</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} nom ne convient pas (à la fin de la table)</numerusform>
+    <numerusform>{n:,} noms ne conviennent pas (à la fin de la table)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Grouper les vues</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Motif des noms d’images</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} existe déjà : {sizes}.</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Écrire {file}</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Garder ces groupes dans le dossier du jeu</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -3495,7 +3455,7 @@ Perd {loses}.</translation>
    <translation>Tenir Ctrl</translation>
   </message>
   <message>
-   <source>click beside the line: no snapping</source>
+   <source>click off the line: no snapping</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>cliquer à côté de la ligne : sans aimant</translation>
   </message>
@@ -3521,7 +3481,7 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>Flèches</translation>
   </message>
   <message>
@@ -3724,15 +3684,33 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} existe déjà, et dit autre chose.</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} image n’est pas enregistrée, et l’enregistrement vient d’échouer encore.</numerusform>
+    <numerusform>{n} images ne sont pas enregistrées, et l’enregistrement vient d’échouer encore.</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>{text}.</translation>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Montrer ce qui est dans le fichier ; annuler ramène votre version</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Écrire ce que vous voyez par-dessus le fichier</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Supprimer {what} ?</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Le garder</translation>
   </message>
   <message>
    <source>Delete</source>
@@ -3745,27 +3723,14 @@ Perd {loses}.</translation>
    <translation>Le remplacer</translation>
   </message>
   <message>
-   <source>Keep it</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Le garder</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames are not saved, and saving failed again just now.</source>
-   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
-   <translation>
-    <numerusform>{n} image n’est pas enregistrée, et l’enregistrement vient d’échouer encore.</numerusform>
-    <numerusform>{n} images ne sont pas enregistrées, et l’enregistrement vient d’échouer encore.</numerusform>
-   </translation>
+   <translation>Fermer et les perdre</translation>
   </message>
   <message>
    <source>Stay</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Rester</translation>
-  </message>
-  <message>
-   <source>Close and lose them</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Fermer et les perdre</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3778,24 +3743,9 @@ Perd {loses}.</translation>
    <translation>Recharger les leurs</translation>
   </message>
   <message>
-   <source>Show what is in the file; undo brings your version back</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Montrer ce qui est dans le fichier ; annuler ramène votre version</translation>
-  </message>
-  <message>
    <source>Overwrite with mine</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Écraser avec les miennes</translation>
-  </message>
-  <message>
-   <source>Write what you see on screen over the file</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Écrire ce que vous voyez par-dessus le fichier</translation>
-  </message>
-  <message>
-   <source>This frame is not editable. {problem}</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Cette image n’est pas modifiable. {problem}</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -3849,6 +3799,11 @@ Perd {loses}.</translation>
    <translation>Fermer le second annotateur</translation>
   </message>
   <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Le fichier du second annotateur pour cette image est illisible : {error}</translation>
+  </message>
+  <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>JaC de l’accord à {tau:g} px : {jac:.3f}</translation>
@@ -3877,19 +3832,9 @@ Perd {loses}.</translation>
    <translation>Points</translation>
   </message>
   <message>
-   <source>The second annotator's file for this frame is unreadable: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Le fichier du second annotateur pour cette image est illisible : {error}</translation>
-  </message>
-  <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
-  </message>
-  <message>
-   <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Le second annotateur n’a rien pour cette image.</translation>
+   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
   </message>
   <message>
    <source>One of the two seems to label the field turned by 180 degrees.</source>
@@ -3941,299 +3886,135 @@ Perd {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
-   <translation>soccernet (officiel)</translation>
-  </message>
-  <message>
-   <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>procc (article)</translation>
-  </message>
-  <message>
-   <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>compter comme manqués</translation>
-  </message>
-  <message>
-   <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>sont laissés de côté</translation>
-  </message>
-  <message>
-   <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Caméras ({endings});;Tous les fichiers (*)</translation>
-  </message>
-  <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Source à laquelle comparer</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Comparer à</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
-  </message>
-  <message>
-   <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Aucune caméra chargée.
-Chargez un dossier de fichiers de caméra SoccerNet ou d’homographies pour les voir jugées d’après vos clics.</translation>
-  </message>
-  <message>
-   <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Charger un dossier…</translation>
-  </message>
-  <message>
-   <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Un dossier avec un fichier de caméra par image</translation>
-  </message>
-  <message>
-   <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Charger un fichier…</translation>
-  </message>
-  <message>
-   <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Une archive zip de caméras, ou la caméra d’une image</translation>
-  </message>
-  <message>
-   <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Comment seront lus les prochains fichiers chargés</translation>
-  </message>
-  <message>
-   <source>soccernet: the official evaluation with its quirks
-procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>soccernet : l’évaluation officielle avec ses bizarreries
-procc : la définition de l’article, cercles fermés et courbes fines</translation>
-  </message>
-  <message>
-   <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Une homographie ne connaît que le sol : comment comptent pour elle poteaux et barres</translation>
-  </message>
-  <message>
-   <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Lus comme</translation>
-  </message>
-  <message>
-   <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
-   <translation>Protocole</translation>
-  </message>
-  <message>
-   <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Hors du sol</translation>
-  </message>
-  <message>
-   <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Cette image : {notice}</translation>
-  </message>
-  <message>
-   <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>⚠ La caméra de cette image n’est pas utilisable : {error}</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>min</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>médiane</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>max</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Entre les deux points du sol que désigne un pixel</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>D’un pixel à l’endroit où la caméra comparée montre son point du sol</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>au sol, m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>dans l’image, px</translation>
-  </message>
-  <message>
-   <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>Aveugle : la projection est cachée jusqu’à la remise de cette image.</translation>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Le second annotateur n’a rien pour cette image.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Images de ce jeu de données qui ont une caméra (complétude)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Images visitées dans cette fenêtre dont les clics ont donné une caméra ; leur JaC est celui des clics qui ont servi à l’ajustement.
 procc-annotator calibrate ajuste et note tout le jeu</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Images de ce jeu de données suivies à travers leur plan et qui ont une caméra.
 procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Jaune</translation>
   </message>
   <message>
    <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Violet</translation>
   </message>
   <message>
    <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Bleu</translation>
   </message>
   <message>
    <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Menthe</translation>
   </message>
   <message>
    <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Bleu marine</translation>
   </message>
   <message>
    <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Cyan</translation>
   </message>
   <message>
    <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Désactiver l’ajustement continu (Ctrl+T le réactive)</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Retirer de la liste ; les fichiers restent</translation>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Nom de la source</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Oublier ce qui a été suivi (T suit le plan à nouveau)</translation>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Tracer en fil de fer pendant qu’une autre source est jugée</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>JaC moyen à {tau:.1f} px sur {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Illisibles (filtre camera:unreadable) : {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{matched} sur {total}, {n} illisible</numerusform>
     <numerusform>{matched} sur {total}, {n} illisibles</numerusform>
    </translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Nom de la source</translation>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Retirer de la liste ; les fichiers restent</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Tracer en fil de fer pendant qu’une autre source est jugée</translation>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Oublier ce qui a été suivi (T suit le plan à nouveau)</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Ne rien juger, ne tracer aucune caméra</translation>
   </message>
   <message>
    <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Juger {name}</translation>
   </message>
   <message>
    <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Retirer {name}</translation>
   </message>
   <message>
    <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Tracer {name}</translation>
   </message>
   <message>
    <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Couleur de {name}</translation>
   </message>
   <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Autre…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Couleur de la source</translation>
-  </message>
-  <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>pas de caméra</translation>
-  </message>
-  <message>
-   <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>Ne rien juger, ne tracer aucune caméra</translation>
-  </message>
-  <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{frames} jusqu’ici</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{mean} ; {n:,} caméra est illisible et ne participe pas</numerusform>
     <numerusform>{mean} ; {n:,} caméras sont illisibles et ne participent pas</numerusform>
@@ -4241,17 +4022,17 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model} (sol)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model} ici, plusieurs modèles</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} image suivie</numerusform>
     <numerusform>{n:,} images suivies</numerusform>
@@ -4259,7 +4040,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} image ajustée</numerusform>
     <numerusform>{n:,} images ajustées</numerusform>
@@ -4267,12 +4048,12 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{n} sur {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{names} et {n:,} de plus</numerusform>
     <numerusform>{names} et {n:,} de plus</numerusform>
@@ -4280,41 +4061,205 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>inutilisable ici : {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>pas de caméra pour cette image</translation>
   </message>
   <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Autre…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>Couleur de la source</translation>
+  </message>
+  <message>
    <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Un double-clic ou F2 lui donne un autre nom</translation>
   </message>
   <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Le mode aveugle cache ce que valent les sources</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>Aucune image n’a à la fois des éléments annotés et une caméra de cette source</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} caméra</numerusform>
     <numerusform>{n:,} caméras</numerusform>
    </translation>
   </message>
   <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>pas de caméra</translation>
+  </message>
+  <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>plusieurs modèles</translation>
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the setting protocol]</extracomment>
+   <translation>soccernet (officiel)</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>procc (article)</translation>
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>compter comme manqués</translation>
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>sont laissés de côté</translation>
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Caméras ({endings});;Tous les fichiers (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Source à laquelle comparer</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Comparer à</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Aucune caméra chargée.
+Chargez un dossier de fichiers de caméra SoccerNet ou d’homographies pour les voir jugées d’après vos clics.</translation>
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Charger un dossier…</translation>
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Charger un fichier…</translation>
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Lus comme</translation>
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the menus, the setting protocol]</extracomment>
+   <translation>Protocole</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Hors du sol</translation>
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Cette image : {notice}</translation>
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>⚠ La caméra de cette image n’est pas utilisable : {error}</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>min</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>médiane</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>max</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>au sol, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>dans l’image, px</translation>
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Un dossier avec un fichier de caméra par image</translation>
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Une archive zip de caméras, ou la caméra d’une image</translation>
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Comment seront lus les prochains fichiers chargés</translation>
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>soccernet : l’évaluation officielle avec ses bizarreries
+procc : la définition de l’article, cercles fermés et courbes fines</translation>
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Une homographie ne connaît que le sol : comment comptent pour elle poteaux et barres</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>Entre les deux points du sol que désigne un pixel</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>D’un pixel à l’endroit où la caméra comparée montre son point du sol</translation>
   </message>
   <message>
    <source>annotated</source>
@@ -4373,7 +4318,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    <translation>Annoté, la caméra ne le projette pas (faux négatif)</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
+   <source>Marked as not visible in this frame</source>
    <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
    <translation>Quelqu’un a dit qu’il ne se voit pas sur cette image</translation>
   </message>
@@ -4389,7 +4334,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>Sans géométrie</translation>
   </message>
   <message>
@@ -4403,9 +4348,11 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    <translation>Trouver un élément</translation>
   </message>
   <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Éléments</translation>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Aucun élément ne correspond à « {query} ».
+Échap efface la recherche.</translation>
   </message>
   <message>
    <source>Annotated points</source>
@@ -4420,11 +4367,9 @@ Class in files: {name}</source>
 Classe dans les fichiers : {name}</translation>
   </message>
   <message>
-   <source>No element matches “{query}”.
-Esc clears the search.</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation>Aucun élément ne correspond à « {query} ».
-Échap efface la recherche.</translation>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Éléments</translation>
   </message>
   <message>
    <source>Key</source>
@@ -4443,7 +4388,7 @@ Esc clears the search.</source>
    <translation>État</translation>
   </message>
   <message>
-   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <source>Annotating it next helps most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>L’annoter ensuite apporte le plus : la projection sera connue à {after:.1f} px au lieu de {before:.1f} px</translation>
   </message>
@@ -4469,27 +4414,27 @@ Esc clears the search.</source>
   </message>
   <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Erreur</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Avertissement</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>Remarque</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Rien trouvé sur cette image.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Rien trouvé sur {n:,} image.</numerusform>
     <numerusform>Rien trouvé sur {n:,} images.</numerusform>
@@ -4498,23 +4443,23 @@ Esc clears the search.</source>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Aucune image.
 Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Rien n’est annoté sur cette image.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Les règles qui se passent de caméra n’ont rien trouvé.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Rien trouvé hormis {n:,} constat ignoré.</numerusform>
     <numerusform>Rien trouvé hormis {n:,} constats ignorés.</numerusform>
@@ -4522,53 +4467,63 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Aveugle : les constats qui demandent une caméra attendent la remise de cette image (Ctrl+Entrée).</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>L’ajustement continu est désactivé : seules les règles sans caméra sont appliquées.</translation>
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Aucune caméra ne s’ajuste encore ({why}) : seules les règles qui s’en passent sont appliquées.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Aveugle : seules les images remises sont vérifiées avec une caméra.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} image ne peut être vérifiée, comme {name} : {why}</numerusform>
     <numerusform>{n:,} images ne peuvent être vérifiées, comme {name} : {why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The set is not checked yet; {n:,} frames checked so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame checked so far. / The set is not checked yet; {n:,} frames checked so far. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>Le jeu n’est pas encore vérifié ; {n:,} image regardée jusqu’ici.</numerusform>
     <numerusform>Le jeu n’est pas encore vérifié ; {n:,} images regardées jusqu’ici.</numerusform>
    </translation>
   </message>
   <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Quels constats sont listés</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Images vérifiées</translation>
+  </message>
+  <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Vérification de cette image…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>Vérification du jeu…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} erreur</numerusform>
     <numerusform>{n:,} erreurs</numerusform>
@@ -4576,7 +4531,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} avertissement</numerusform>
     <numerusform>{n:,} avertissements</numerusform>
@@ -4584,45 +4539,20 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} remarque</numerusform>
     <numerusform>{n:,} remarques</numerusform>
    </translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Constats</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Quels constats sont listés</translation>
-  </message>
-  <message>
    <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
    <translation>Vérifier tout le jeu</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
-   <translation>Chercher les mauvaises classes dans toutes les images annotées</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Images vérifiées</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>Écrire en CSV les constats de toutes les images vérifiées</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} de plus n’est pas listé : activez les signes ci-dessus.</numerusform>
     <numerusform>{n:,} de plus ne sont pas listés : activez les signes ci-dessus.</numerusform>
@@ -4630,27 +4560,42 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action ignore_finding]</extracomment>
    <translation>Ne plus le montrer tant que les points de ses éléments ne changent pas</translation>
   </message>
   <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Constats</translation>
+  </message>
+  <message>
    <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Cette image</translation>
   </message>
   <message>
    <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Tout le jeu</translation>
   </message>
   <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
+   <translation>Chercher les mauvaises classes dans toutes les images annotées</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>Écrire en CSV les constats de toutes les images vérifiées</translation>
+  </message>
+  <message>
    <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>{findings} ; cliquer pour les lister ou non</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} ignoré ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
     <numerusform>{n:,} ignorés ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
@@ -4658,7 +4603,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/menus.py, the action ignore_finding]</extracomment>
    <translation>Ignorer ce constat</translation>
   </message>
   <message>
@@ -4743,14 +4688,44 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    </translation>
   </message>
   <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>✕ laissé de côté : {title}</translation>
-  </message>
-  <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{title} : moyenne {mean} px, plus grand {largest} px</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Les éléments en vue non annotés comptent contre le JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>À peine déterminé : {limits}</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Distance moyenne des points qui ont compté, px de l’image</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Écart type, tel que l’ajustement l’estime</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>Enregistrer comme caméra de l’image</translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ laissé de côté : {title}</translation>
   </message>
   <message>
    <source>Pan</source>
@@ -4789,54 +4764,14 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <translation>Hauteur (−z)</translation>
   </message>
   <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Les éléments en vue non annotés comptent contre le JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>À peine déterminé : {limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
-  </message>
-  <message>
    <source>Model</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Modèle</translation>
   </message>
   <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Distance moyenne des points qui ont compté, px de l’image</translation>
-  </message>
-  <message>
    <source>Residuals by element</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Résidus par élément</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Enregistrer comme caméra de l’image</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Ouvrez un dossier d’images pour voir la caméra que donnent leurs clics.</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>L’ajustement continu est désactivé (Ctrl+T).</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Caché : le mode aveugle montre l’ajustement une fois cette image remise.</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
@@ -4855,7 +4790,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/pages.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>JaC à {tau:.1f} px</translation>
   </message>
   <message>
@@ -4869,14 +4804,9 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <translation>JaC : {terms} ; résidus : px de l’image, {width}x{height}</translation>
   </message>
   <message>
-   <source>Standard deviation, as the fit estimates it</source>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Écart type, tel que l’ajustement l’estime</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
+   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
   </message>
   <message>
    <source>mean residual</source>
@@ -4885,7 +4815,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
-   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n} ouvert</numerusform>
     <numerusform>{n} ouverts</numerusform>
@@ -4893,33 +4823,33 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>{shown:,} sur {frames}</translation>
   </message>
   <message>
    <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>toutes terminées</translation>
-  </message>
-  <message>
-   <source>⚠ unreadable</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ illisible</translation>
-  </message>
-  <message>
-   <source>⚠ camera</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ caméra</translation>
   </message>
   <message>
    <source>not annotated</source>
    <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>non annotée</translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ illisible</translation>
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ caméra</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frame_rows.py]</extracomment>
    <translation>
     <numerusform>{n:,} terminée</numerusform>
     <numerusform>{n:,} terminées</numerusform>
@@ -4927,58 +4857,58 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>● not saved</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>● non enregistrée</translation>
   </message>
   <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
-   <translation>Filtrer les images</translation>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>l’image est illisible</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Images</translation>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>JaC moyen {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>replié</translation>
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>déplié</translation>
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>Filtrer les images</translation>
   </message>
   <message>
    <source>No frames.
 Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Aucune image.
 Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</translation>
   </message>
   <message>
    <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Rien ne correspond à « {query} ».</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Images</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>
     <numerusform>{frames} dans {n:,} dossier</numerusform>
     <numerusform>{frames} dans {n:,} dossiers</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>the picture cannot be read</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>l’image est illisible</translation>
-  </message>
-  <message>
-   <source>mean JaC {jac:.3f}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>JaC moyen {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>folded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>replié</translation>
-  </message>
-  <message>
-   <source>unfolded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>déplié</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -5021,12 +4951,17 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Triangulé d’après {frames}</translation>
   </message>
   <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Autres vues de cet instant : y aller d’un clic</translation>
+  </message>
+  <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>{title} n’est encore cliqué sur aucune image : cliquez-le dans deux vues calibrées pour qu’il soit triangulé.</translation>
   </message>
   <message>
-   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name next to Add to triangulate it.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Cliqués ici, mais pas encore des repères : {names}. Écrivez un nom à côté d’Ajouter pour les trianguler.</translation>
   </message>
@@ -5041,11 +4976,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Mesuré sur place</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Repères</translation>
-  </message>
-  <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Nouveau repère</translation>
@@ -5054,11 +4984,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Ajouter</translation>
-  </message>
-  <message>
-   <source>Have a new landmark, to be clicked (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Créer un nouveau repère, à cliquer (Entrée)</translation>
   </message>
   <message>
    <source>What people call it</source>
@@ -5076,24 +5001,9 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Fixer</translation>
   </message>
   <message>
-   <source>The place was measured: it stays as it is from now on (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Le lieu a été mesuré : il reste désormais ce qu’il est (Entrée)</translation>
-  </message>
-  <message>
    <source>Triangulate</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Trianguler</translation>
-  </message>
-  <message>
-   <source>Forget this landmark; clicks on it stay in the annotations</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Oublier ce repère ; les clics restent dans les annotations</translation>
-  </message>
-  <message>
-   <source>Other views of this instant: go to one with a click</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Autres vues de cet instant : y aller d’un clic</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
@@ -5126,7 +5036,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Choisissez un repère dans la liste pour le trianguler.</translation>
   </message>
   <message>
-   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <source>Only a landmark that has a name can be triangulated: write one next to Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Seul un repère qui a un nom peut être triangulé : écrivez-en un à côté d’Ajouter.</translation>
   </message>
@@ -5137,6 +5047,26 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
     <numerusform>{names} et {n} de plus</numerusform>
     <numerusform>{names} et {n} de plus</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>Repères</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Créer un nouveau repère, à cliquer (Entrée)</translation>
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Le lieu a été mesuré : il reste désormais ce qu’il est (Entrée)</translation>
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Oublier ce repère ; les clics restent dans les annotations</translation>
   </message>
   <message>
    <source>Title</source>
@@ -5159,7 +5089,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Triangulation…</translation>
   </message>
   <message>
-   <source>a landmark needs a name: write one beside Add</source>
+   <source>a landmark needs a name: write one next to Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>un repère a besoin d’un nom : écrivez-en un à côté d’Ajouter</translation>
   </message>
@@ -5172,164 +5102,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>le repère {title}</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC selon tau</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC selon les images</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Pas encore de scores. Ils sont calculés en arrière-plan, image par image.</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>{name} (image {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>image</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Chaque courbe est la moyenne des images pour lesquelles cette source a une caméra.</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
-  </message>
-  <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>Les plans sont reconnus d’après les noms, car {error}.</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Erreurs, en histogramme</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} point sans distance laissé de côté.</numerusform>
-    <numerusform>{n:,} points sans distance laissés de côté.</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Résidus sur l’image</translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>erreur de reprojection (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>points</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>La dernière barre réunit toutes les erreurs plus grandes.</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{px:g} px ou plus</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} sur {total:,}</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Aucun point de {element} sur cette image.</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Aucun point de {element} jusqu’ici.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Aucun point annoté de cette image n’est projeté par une source affichée.</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Aucun point annoté n’est encore projeté par une source affichée.</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Flèches allongées</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
-  </message>
-  <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>automatique</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
-  </message>
-  <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
@@ -5372,9 +5144,177 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>{frames}, pour ce qui est noté</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
+  </message>
+  <message>
    <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
    <translation>Sources : {names}</translation>
+  </message>
+  <message>
+   <source>Shots are recognized by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>Les plans sont reconnus d’après les noms, car {error}.</translation>
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC selon tau</translation>
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC selon les images</translation>
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pas encore de scores. Ils sont calculés en arrière-plan, image par image.</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Erreurs, en histogramme</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} point sans distance laissé de côté.</numerusform>
+    <numerusform>{n:,} points sans distance laissés de côté.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Résidus sur l’image</translation>
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} (image {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flèches allongées</translation>
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau (px)</translation>
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>image</translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>erreur de reprojection (px)</translation>
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>points</translation>
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>La dernière barre réunit toutes les erreurs plus grandes.</translation>
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{px:g} px ou plus</translation>
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} {part:,} sur {total:,}</translation>
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Aucun point de {element} sur cette image.</translation>
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Aucun point de {element} jusqu’ici.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Aucun point annoté de cette image n’est projeté par une source affichée.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Aucun point annoté n’est encore projeté par une source affichée.</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>automatique</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Chaque courbe est la moyenne des images pour lesquelles cette source a une caméra.</translation>
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copier ou enregistrer le graphique et ses nombres</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Tracer les points d’un seul élément</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
@@ -5392,41 +5332,9 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Garder</translation>
   </message>
   <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Copier ou enregistrer le graphique et ses nombres</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Copier ou enregistrer le graphique</translation>
-  </message>
-  <message>
    <source>Plot</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Graphique</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Tracer l’image à l’écran, ou toutes celles notées jusqu’ici</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Tracer les points d’un seul élément</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Ouvrez un dossier d’images pour voir des graphiques.</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Aucune caméra à juger.
-Chargez des caméras pour voir comme elles s’accordent à vos clics.</translation>
   </message>
   <message>
    <source>This plot could not be computed: {error}.</source>
@@ -5437,6 +5345,11 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <source>({n:,} committed)</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>({n:,} remises)</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Copier ou enregistrer le graphique</translation>
   </message>
   <message>
    <source>Copy picture</source>
@@ -5459,6 +5372,11 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Enregistrer les nombres…</translation>
   </message>
   <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Tracer l’image à l’écran, ou toutes celles notées jusqu’ici</translation>
+  </message>
+  <message>
    <source>Computing…</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Calcul…</translation>
@@ -5474,7 +5392,7 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>(sans score)</translation>
   </message>
   <message>
-   <source>Nobody has edited this frame here</source>
+   <source>This frame has not been edited here</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Personne n’a encore modifié cette image ici</translation>
   </message>
@@ -5514,34 +5432,9 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>{seconds} s</translation>
   </message>
   <message>
-   <source>Committed in blind mode by {author}</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Remise en mode aveugle par {author}</translation>
-  </message>
-  <message>
-   <source>{minutes}:{seconds:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{minutes}:{seconds:02d} min</translation>
-  </message>
-  <message>
-   <source>Time worked on this frame; pauses over 30 s do not count</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Temps passé sur cette image ; les pauses de plus de 30 s ne comptent pas</translation>
-  </message>
-  <message>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Comment les points de cette image sont nés</translation>
-  </message>
-  <message>
-   <source>Comments</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Commentaires</translation>
-  </message>
-  <message>
-   <source>No comments on this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Aucun commentaire sur cette image.</translation>
   </message>
   <message>
    <source>Comment on this frame</source>
@@ -5554,9 +5447,29 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Ajouter le commentaire à la discussion (Entrée)</translation>
   </message>
   <message>
-   <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Ouvrez d’abord un dossier d’images.</translation>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Remise en mode aveugle par {author}</translation>
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{minutes}:{seconds:02d} min</translation>
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Aucun commentaire sur cette image.</translation>
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Temps passé sur cette image ; les pauses de plus de 30 s ne comptent pas</translation>
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Commentaires</translation>
   </message>
   <message>
    <source>Points: {kinds}</source>
@@ -5685,9 +5598,9 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Caméra et clics sont justes sur cette image</translation>
   </message>
   <message>
-   <source>Scores by element</source>
+   <source>What causes the score of this frame; saved with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Scores par élément</translation>
+   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
   </message>
   <message>
    <source>Precision</source>
@@ -5735,14 +5648,19 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>points : {kinds}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Faute</translation>
+   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
   </message>
   <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
+   <translation>Verdict : {verdict}</translation>
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>Scores par élément</translation>
   </message>
   <message>
    <source>Copy this explanation</source>
@@ -5753,11 +5671,6 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <source>Copy all explanations</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Copier toutes les explications</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Ouvrez un dossier d’images pour voir des scores.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -5777,14 +5690,14 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Aucun ajustement à juger : {why}.</translation>
   </message>
   <message>
-   <source>Verdict: {verdict}</source>
+   <source>Counts as {class_name}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Verdict : {verdict}</translation>
+   <translation>Compte comme {class_name}</translation>
   </message>
   <message>
-   <source>{verdict}; once more takes it back ({key})</source>
+   <source>Fault</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
+   <translation>Faute</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5800,11 +5713,6 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <source>Annotated elements that the camera does not project</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>Éléments annotés que la caméra ne projette pas</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Compte comme {class_name}</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -5891,49 +5799,34 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Annotation</translation>
   </message>
   <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>ouvrez d’abord un dossier d’images</translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>l’ajustement continu est désactivé (Ctrl+T)</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>{text}.</translation>
+  </message>
+  <message>
    <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
    <translation>erreur inattendue ({what})</translation>
-  </message>
-  <message>
-   <source>{who} unlocked this dataset from blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} a levé le mode aveugle de ce jeu le {day}</translation>
-  </message>
-  <message>
-   <source>{reason}: there is no live fit in it</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason} : il n’y a pas d’ajustement continu</translation>
-  </message>
-  <message>
-   <source>Somebody</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>Quelqu’un</translation>
-  </message>
-  <message>
-   <source>{who} locked this dataset to blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} a imposé le mode aveugle à ce jeu le {day}</translation>
-  </message>
-  <message>
-   <source>This dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>Le mode aveugle est imposé à ce jeu de données</translation>
-  </message>
-  <message>
-   <source>{reason}: menu Frame unlocks it, which is recorded</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason} : le menu Image le lève, ce qui est consigné</translation>
-  </message>
-  <message>
-   <source>this dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>le mode aveugle est imposé à ce jeu de données</translation>
-  </message>
-  <message>
-   <source>this dataset is not locked to blind mode any more</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>le mode aveugle n’est plus imposé à ce jeu de données</translation>
   </message>
   <message>
    <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
@@ -6101,11 +5994,6 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Les deux caméras sont identiques sur cette image.</translation>
   </message>
   <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>Aveugle : caché jusqu’à la remise de cette image.</translation>
-  </message>
-  <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>Aucune source n’est jugée : choisissez-en d’abord une.</translation>
@@ -6119,11 +6007,6 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <source>The fitted camera sees no part of the field.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>La caméra ajustée ne voit aucune partie du terrain.</translation>
-  </message>
-  <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>L’ajustement continu est désactivé, donc pas de carte d’incertitude (Ctrl+T l’active).</translation>
   </message>
   <message>
    <source>There is no fit of this frame, so no uncertainty map.</source>
@@ -6166,38 +6049,28 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>aucun autre terrain ne connaît mieux ces classes</translation>
   </message>
   <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>toutes les images après celle-ci sont annotées</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>toutes les images avant celle-ci sont annotées</translation>
-  </message>
-  <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>impossible d’écrire dans {folder} : rien de ce qui est annoté ici ne peut être enregistré</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>tout n’est pas encore enregistré : l’autre jeu n’a pas été ouvert</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>tout n’est pas encore enregistré : la vidéo n’a pas été ouverte</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>rien n’est ouvert</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>le terrain de ce jeu : {field}</translation>
   </message>
   <message>
@@ -6206,14 +6079,14 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
-   <translation>l’ajustement continu est désactivé</translation>
-  </message>
-  <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
    <translation>l’ajustement a échoué : {why}</translation>
+  </message>
+  <message>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} a levé le mode aveugle de ce jeu le {day}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -6224,6 +6097,26 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>pour vous seul : impossible d’écrire dans le dossier du jeu</translation>
+  </message>
+  <message>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason} : il n’y a pas d’ajustement continu</translation>
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>Le mode aveugle est imposé à ce jeu de données</translation>
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>Quelqu’un</translation>
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} a imposé le mode aveugle à ce jeu le {day}</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
@@ -6241,14 +6134,29 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>dans cette fenêtre seulement : rien ne peut être écrit</translation>
   </message>
   <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
-   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>le mode aveugle n’est plus imposé à ce jeu de données</translation>
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason} : le menu Image le lève, ce qui est consigné</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>le mode aveugle est imposé à ce jeu de données</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
    <translation>{path} : aucune caméra n’a le nom d’une image (les caméras s’appellent comme {camera!r}, les images comme {frame!r})</translation>
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
+   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -6289,61 +6197,6 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>l’annotation est illisible</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Fantôme de {title}</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Accepter</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Regarder de près</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
-   <translation>Pas visible ici</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Dessin de {title}</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Couper ici : le reste devient</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Pas visible ici : revenir dessus</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Changer la classe en (échange avec une annotée)</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Point {number} de {title}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>Fusionner dans</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title}, non confirmé</translation>
-  </message>
-  <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Entrée exécute · ↑ ↓ choisissent · Échap ferme</translation>
@@ -6364,16 +6217,6 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Ouvrir</translation>
   </message>
   <message>
-   <source>Nothing is called “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Rien ne s’appelle « {text} ».</translation>
-  </message>
-  <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Image {number} sur {count}</translation>
-  </message>
-  <message>
    <source>An action, element, frame, camera source, folder, number</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Une action, un élément, une image, une source, un dossier, un nombre</translation>
@@ -6384,14 +6227,34 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Rechercher</translation>
   </message>
   <message>
-   <source>What fits</source>
+   <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Ce qui convient</translation>
+   <translation>Rien ne s’appelle « {text} ».</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Seuil {px:g} px</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Image {number} sur {count}</translation>
   </message>
   <message>
    <source>Go to this frame</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Aller à cette image</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Juger les éléments avec ce tau</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ce qui convient</translation>
   </message>
   <message>
    <source>Judge {source}</source>
@@ -6424,24 +6287,29 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <translation>Ouvrir ce panneau et le mettre devant</translation>
   </message>
   <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Seuil {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Juger les éléments avec ce tau</translation>
-  </message>
-  <message>
    <source>on</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>activé</translation>
   </message>
   <message>
    <source>off</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>désactivé</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action guide]</extracomment>
+   <translation>Guide</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Chercher des mots dans cette page</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Le guide est en anglais.</translation>
   </message>
   <message>
    <source>this installation came without its user guide</source>
@@ -6461,6 +6329,11 @@ Annotate and audit sports-camera calibrations.</source>
 Annoter et auditer des calibrations de caméras de sport.</translation>
   </message>
   <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>Titres</translation>
+  </message>
+  <message>
    <source>no cameras are loaded (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
    <translation>aucune caméra n’est chargée (Ctrl+L)</translation>
@@ -6476,26 +6349,6 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>chargez un second jeu de caméras pour comparer (Ctrl+L)</translation>
   </message>
   <message>
-   <source>Find words in this page</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Chercher des mots dans cette page</translation>
-  </message>
-  <message>
-   <source>The user guide is in English.</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Le guide est en anglais.</translation>
-  </message>
-  <message>
-   <source>User guide</source>
-   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
-   <translation>Guide</translation>
-  </message>
-  <message>
-   <source>Headings</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>Titres</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Vos propres touches</translation>
@@ -6506,11 +6359,6 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Touches (*.json)</translation>
   </message>
   <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Dans l’image</translation>
-  </message>
-  <message>
    <source>{menu}: {action}</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu} : {action}</translation>
@@ -6519,6 +6367,16 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <source>Search: a word, or a key. A click does what a row says.</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Recherche : un mot ou une touche. Un clic fait ce que dit une ligne.</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Dans l’image</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
   </message>
   <message>
    <source>Search: a word, or a key</source>
@@ -6541,29 +6399,9 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Touches</translation>
   </message>
   <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Chercher dans les touches</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
-  </message>
-  <message>
    <source>Change keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Changer les touches</translation>
-  </message>
-  <message>
-   <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Recherche</translation>
-  </message>
-  <message>
-   <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Toutes les touches d’un coup</translation>
   </message>
   <message>
    <source>Only these</source>
@@ -6601,14 +6439,24 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Importer des touches</translation>
   </message>
   <message>
-   <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>⚠ aussi : {what}</translation>
-  </message>
-  <message>
    <source>New keys: press them here</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Nouvelles touches : pressez-les ici</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Chercher dans les touches</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Recherche</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>Toutes les touches d’un coup</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
@@ -6621,69 +6469,79 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Action ou élément</translation>
   </message>
   <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>⚠ aussi : {what}</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Changer la classe en (échange avec une annotée)</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Dessin de {title}</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Couper ici : le reste devient</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Fantôme de {title}</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Accepter</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Regarder de près</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/menus.py, the action not_visible]</extracomment>
+   <translation>Pas visible ici</translation>
+  </message>
+  <message>
    <source>{action}: {step}</source>
    <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{action} : {step}</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>erreur inattendue ({what}) ; l’enregistrement continue, les détails sont dans {path}</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Point {number} de {title}</translation>
   </message>
   <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>les détails sont copiés ; ils sont aussi dans {path}</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Pas visible ici : revenir dessus</translation>
   </message>
   <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>il n’y a pas eu d’erreur inattendue ; elles sont consignées dans {path}</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>Fusionner dans</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
-  </message>
-  <message>
-   <source>Search the settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Chercher dans les paramètres</translation>
-  </message>
-  <message>
-   <source>{setting}: back to {value}</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>{setting} : revenir à {value}</translation>
-  </message>
-  <message>
-   <source>Settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Paramètres</translation>
-  </message>
-  <message>
-   <source>All to their defaults</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Tout par défaut</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
-   <translation>Changer les touches…</translation>
-  </message>
-  <message>
-   <source>No setting has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Aucun paramètre ne contient « {text} ».</translation>
-  </message>
-  <message>
-   <source>none of your own</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>aucun de votre choix</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title}, non confirmé</translation>
   </message>
   <message>
    <source>ground ±{metres:.2f} m</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>sol ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>erreur inattendue ({what}) ; l’enregistrement continue, les détails sont dans {path}</translation>
   </message>
   <message>
    <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
@@ -6735,9 +6593,24 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Échap y met fin</translation>
   </message>
   <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>Barre d’outils</translation>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Cette image n’est pas modifiable. {problem}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>les détails sont copiés ; ils sont aussi dans {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>il n’y a pas eu d’erreur inattendue ; elles sont consignées dans {path}</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
   </message>
   <message>
    <source>Picture
@@ -6745,6 +6618,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
    <translation>Image
 Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez change</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Barre d’outils</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -6757,19 +6635,24 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Seuil tau : un élément passe si tous ses points sont plus proches (+ et -)</translation>
   </message>
   <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>enregistré {time}</translation>
-  </message>
-  <message>
    <source>The camera set that is judged (C switches)</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Le jeu de caméras qui est jugé (C change)</translation>
   </message>
   <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>État de cette image (panneau Relecture)</translation>
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Avec quoi le score est calculé : {terms}</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>enregistré {time}</translation>
   </message>
   <message numerus="yes">
    <source>NOT SAVED: {n} frames</source>
@@ -6785,11 +6668,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Barre supérieure</translation>
   </message>
   <message>
-   <source>Status of this frame (panel Review)</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>État de cette image (panneau Relecture)</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Terrain : {field}</translation>
@@ -6800,19 +6678,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Cliquer pour en choisir un autre</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Seuil tau</translation>
-  </message>
-  <message>
    <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; de l’ajustement</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6820,9 +6688,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>enregistrement...</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
+   <translation>Seuil tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; de l’ajustement</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6830,12 +6703,17 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>aucun changement</translation>
   </message>
   <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
+  </message>
+  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Déposez un dossier d’images ici</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Les annotations sont lues et enregistrées en JSON SoccerNet à côté des images. Déposez plus tard un dossier de caméras pour les voir jugées d’après vos clics.</translation>
   </message>
@@ -6873,6 +6751,41 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>Nothing was opened yet</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Rien n’a encore été ouvert</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>{setting} : revenir à {value}</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Aucun paramètre ne contient « {text} ».</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Paramètres</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Chercher dans les paramètres</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>Tout par défaut</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>aucun de votre choix</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py, the action keymap]</extracomment>
+   <translation>Changer les touches…</translation>
   </message>
   <message>
    <source>Scores</source>
@@ -7288,7 +7201,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>un clic ne fait rien : il n’y a pas de points à éditer, dessinez d’abord un élément</translation>
   </message>
   <message>
-   <source>click a point to drag it, beside it to let go</source>
+   <source>click a point to drag it, next to it to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>cliquer un point pour le glisser, à côté pour le lâcher</translation>
   </message>
@@ -7359,7 +7272,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>un clic le marque</translation>
   </message>
   <message>
-   <source>hold Ctrl to click beside the line</source>
+   <source>hold Ctrl to click off the line</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>tenir Ctrl pour cliquer à côté de la ligne</translation>
   </message>
@@ -7557,7 +7470,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Ouvrir un second annotateur…</translation>
   </message>
   <message>
-   <source>Draw and compare what somebody else clicked in the same frames</source>
+   <source>Draw and compare what another annotator clicked in the same frames</source>
    <extracomment>[the action open_second]</extracomment>
    <translation>Dessiner et comparer ce qu’une autre personne a cliqué sur les mêmes images</translation>
   </message>
@@ -8012,7 +7925,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Suivante sans annotation</translation>
   </message>
   <message>
-   <source>Go on to the next frame where nothing is annotated</source>
+   <source>Go to the next frame without annotations</source>
    <extracomment>[the action next_unannotated]</extracomment>
    <translation>Aller à la prochaine image où rien n’est annoté</translation>
   </message>
@@ -8022,7 +7935,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Précédente sans annotation</translation>
   </message>
   <message>
-   <source>Go back to the frame before where nothing is annotated</source>
+   <source>Go to the previous frame without annotations</source>
    <extracomment>[the action previous_unannotated]</extracomment>
    <translation>Revenir à l’image précédente où rien n’est annoté</translation>
   </message>
@@ -8127,7 +8040,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Image douteuse suivante</translation>
   </message>
   <message>
-   <source>Go on to the next frame whose track should be looked at</source>
+   <source>Go to the next frame whose track should be checked</source>
    <extracomment>[the action next_doubtful]</extracomment>
    <translation>Aller à la prochaine image dont le suivi est à regarder</translation>
   </message>
@@ -8257,7 +8170,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Garder cette image de la vidéo</translation>
   </message>
   <message>
-   <source>Write the frame of the video as a picture beside its annotation</source>
+   <source>Write the frame of the video as a picture next to its annotation</source>
    <extracomment>[the action keep_frame]</extracomment>
    <translation>Écrire l’image de la vidéo comme fichier à côté de son annotation</translation>
   </message>
@@ -8287,7 +8200,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Écarter les éléments non confirmés</translation>
   </message>
   <message>
-   <source>Throw away what was copied and nobody touched</source>
+   <source>Remove copied elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
    <translation>Jeter ce qui a été copié et que personne n’a touché</translation>
   </message>
@@ -8452,7 +8365,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Aimanter aux lignes</translation>
   </message>
   <message>
-   <source>Clicks near a painted line go to its centre (hold Ctrl to click beside it)</source>
+   <source>Clicks near a painted line go to its centre (hold Ctrl to click off it)</source>
    <extracomment>[the action snapping, the setting snapping]</extracomment>
    <translation>Les clics près d’une ligne peinte vont à son milieu (tenir Ctrl pour cliquer à côté)</translation>
   </message>
@@ -8722,7 +8635,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Largeur peinte</translation>
   </message>
   <message>
-   <source>Draw how wide the paint of the field's lines must appear, beside the projection</source>
+   <source>Draw how wide the field's lines must appear, along the projection</source>
    <extracomment>[the action painted_width, the setting painted_width]</extracomment>
    <translation>Tracer à côté de la projection la largeur que doit avoir la peinture des lignes du terrain</translation>
   </message>
@@ -8772,9 +8685,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Bande d’images</translation>
   </message>
   <message>
-   <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
+   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Sous l’image : pour une vidéo ou des images qui se suivent, ce que valent leurs caméras et où elles sont annotées ; pour d’autres, des vignettes avec leur état</translation>
+   <translation>Sous l’image : pour une vidéo ou des images qui se suivent, ce que valent leurs caméras et où elles sont annotées</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
@@ -8917,7 +8830,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Tracer les autres sources</translation>
   </message>
   <message>
-   <source>Draw the sources ticked in the Cameras panel as wireframes beside the active one</source>
+   <source>Draw the sources ticked in the Cameras panel as wireframes, with the active one</source>
    <extracomment>[the action others]</extracomment>
    <translation>Tracer les sources cochées du panneau Caméras en fil de fer à côté de l’active</translation>
   </message>

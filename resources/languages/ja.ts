@@ -764,7 +764,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>取り消し</translation>
   </message>
   <message>
@@ -819,7 +819,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>フレーム</translation>
   </message>
   <message>
@@ -829,7 +829,7 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, the menus]</extracomment>
    <translation>表示</translation>
   </message>
   <message>
@@ -856,11 +856,6 @@
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
    <translation>取り消しました：カメラは動かす前に戻りました</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
-   <translation>ブラインドモード：カメラは表示されません</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
@@ -1216,1239 +1211,1237 @@
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>変更なし：すでに整っているか、塗られた線が見つかりませんでした</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} から{what}を追跡に沿ってコピーしました。Shift+V ですべて確定</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} から{what}をカメラの動きに合わせてコピーしました。Shift+V ですべて確定</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} から{what}をそのままコピーしました：動きが求まりません。Shift+V ですべて確定</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>取り消しました：何も整えていません</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>取り消しました：何もコピーしていません</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>フレームを離れたため、何も整えませんでした</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>フレームを離れたため、何もコピーしませんでした</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>塗りで確かめられない点 {n} 個</numerusform>
    </translation>
   </message>
   <message>
    <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{what}を整える</translation>
   </message>
   <message>
    <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} からコピー</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>まず注釈済みの要素を選んでください</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/versions.py]</extracomment>
    <translation>
     <numerusform>要素 {n} 個</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{what}を整えました：{n} 点</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{element} には角があるか 1 点だけなので、そのままにします</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>ここにはフィールドの要素が注釈されていません</translation>
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>これより前に注釈済みのフレームはありません</translation>
   </message>
   <message>
    <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} には、ここにない要素がありません</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} を {other} に変更</translation>
   </message>
   <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
-   <translation>{element} と {other} を入れ替え</translation>
-  </message>
-  <message>
    <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} を {other} として複製</translation>
   </message>
   <message>
    <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} を {other} に統合</translation>
   </message>
   <message>
    <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>すき間を閉じる</translation>
   </message>
   <message numerus="yes">
    <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>要素 {n} 個を確定</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>未確定の要素 {n} 個を捨てる</numerusform>
    </translation>
   </message>
   <message>
    <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>線の名前</translation>
   </message>
   <message>
    <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>この線は何ですか？</translation>
   </message>
   <message>
    <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} は曲線で、2 点では表せません：クリックを続けてください</translation>
   </message>
   <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation>{element} と {other} を入れ替え</translation>
+  </message>
+  <message>
    <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} は自分自身が対称クラスです</translation>
   </message>
   <message numerus="yes">
    <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{elements} はすでに注釈済みです</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} が {other} と同じ位置にあります。所定の位置へ動かしてください</translation>
   </message>
   <message>
    <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} の向きを逆にする</translation>
   </message>
   <message>
    <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>まず分割する点を選んでください（編集モード）</translation>
   </message>
   <message>
    <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} を分割</translation>
   </message>
   <message numerus="yes">
    <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>要素 {n} 個を確定しました</numerusform>
    </translation>
   </message>
   <message>
    <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>このフレームに未確定のものはありません</translation>
   </message>
   <message>
    <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} はすでに注釈されています</translation>
   </message>
   <message>
    <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>角や画像の縁にそれほど近い端はありません</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>未確定の要素 {n} 個を捨てました</numerusform>
    </translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>名前を付けない</translation>
   </message>
   <message>
    <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>要素は両端以外の点で、空いているクラスへ分割します</translation>
   </message>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} は別の場所で変更されました。もう一度確認してください</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} 点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}：{points}、線の見え方 {share:.0%}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{elements} の {n} 端は見えません：点は手前で止まります</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>その間にカメラが変わりました</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what}を採用</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>ゴースト {n} 個</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{total} 中 {n} 個のゴースト</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{what}を採用しました</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} 端は見えません：点は手前で止まります</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>その間にフレームが編集されました</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{frame} で線を探すのに時間がかかりすぎました</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} は採用されません：{why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>すべてのゴーストを採用</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>ほかのすべてと一緒に採用するには、ゴーストの線がどれだけ見える必要があるか（%）：</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}：沿った塗りの線が見つかりません。手でクリックするか、ここでは見えないとしてください（.）</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>カメラを当てはめ中です。ゴーストは少し後で採用してください</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません。線の見え方が {least:.0%} 未満：{ghosts}。Tab で順に見ます</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{frame} で{what}を採用しました</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません：線を探す画像がありません</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません：{why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} は採用されません</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>ゴーストを採用しました。新しい当てはめのゴーストを採用してください</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>描画中のものを終えました。新しい当てはめのゴーストを採用してください</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} は点が見つかり次第採用します</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>まずゴーストへ移るか（Tab）、要素を選んでください</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>最初のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描くか、ショットを追跡してください（T）</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>最後のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>まず画像のフォルダーを開いてください</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>カメラを当てはめ中です。ゴーストはまもなく現れます</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：画像からカメラを探しています</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：{why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：ほかに見えるものは注釈済みか、十分に確かではありません</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：要素を 3～4 個注釈するとカメラが求まります</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描いてください</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ブラインドモードでは、フレームを提出するまでゴーストはありません（Ctrl+Enter）</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：自動当てはめがオフです（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：オフになっています（要素 &gt; ゴースト &gt; ゴーストを表示）</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>重ね描きが非表示のため、ゴーストは見えません（Ctrl+H、または X を離す）</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>まず描画中のものを終えるか（Enter）、取り消してください（Esc）</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>ゴーストなし：カメラを当てはめられませんでした</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>まだ合うカメラがありません</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>手で描いている最中です</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} はここで注釈済みです。まず削除してください（Ctrl+Delete）</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} はここでは見えません。Ctrl+. で取り消し</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} はここで再び見える可能性があります</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>このフレームで見えないとされた要素はありません</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>最後のゴーストでした</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>まずゴーストへ移ってください（Tab）</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{off}。まず要素を選んでください</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>フィールドはそのままとし、これらのクラスについて今後尋ねません</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>データセットが記憶し、今後は尋ねません</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>いいえ、{field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>このデータセットのフィールド</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>フィールドの定義 (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>これは {field} ですか？ここで注釈されたクラスは {field} のものです</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{why}。ただしデータセットのフォルダーの {file} が優先されます</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>はい、{field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{field} に切り替える</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{problem}。フィールドは変わりません：{field}</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>スコアは、公式評価が用いる公称フィールド（{nominal}）のものと異なります。計算に使った寸法が記されます。</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>独自の寸法（stadiums.csv）：{stadiums}の{frames}。ここでの入力は、それ以外と、スタジアムの定めていない寸法に使われます。</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>スコアは公式評価のものと異なります。公式評価では規則の測る位置を線とします。スコアにその旨が記されます。</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>規則では多くの線を塗りの縁で測ります。クリックは塗りの中央、つまり幅の半分だけ離れた位置に置かれます。屋内競技やカメラに近い場合など、差が問題になるときに選んでください。</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>フレームから求められるのは長さと幅だけで、このフィールドでは規則で決まっています</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m、{n} フレームから。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>規則の測る位置</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>塗りの中央</translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} フレームのカメラから。± は 1 標準偏差。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>{remark}。元のままです。</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>フィールドの寸法：{field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>このセットから推定</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>このデータセットに保存</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>公称値</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>公式評価が用いるフィールド</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>公称 {nominal:g} m、規則では {minimum:g}～{maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>&lt;b&gt;{number:g} m は不可：規則では {minimum:g}～{maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} フレーム</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} スタジアム</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>ブラインド：提出していないフレームは対象外です（{n}）。</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>読めないフレームは対象外です：{n}。</translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>クリックの位置：</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>停止</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>フィールド {field} の寸法はすべて規則で決まっています</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>ブラインド：1 フレームを提出するとセットを調べます（Ctrl+Enter）。</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>同じ瞬間を別のカメラから写したフレームが 1 つのグループです。名前のパターンで指定します：&lt;b&gt;{instant}&lt;/b&gt; は撮影の瞬間、&lt;b&gt;{view}&lt;/b&gt; はカメラ、それ以外は文字どおりです。&lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; と &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; を含む正規表現も使えます。</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>これらの名前に合うパターンが見つかりません。書いてください。</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>今の内容は、そこに書かれたほかのすべてとともに失われます。</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>瞬間</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} グループ（各 {least}～{most}）</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} 瞬間</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} フレーム、グループなし。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames}、{n:,} グループ</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>フレームのグループ</translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} はすでにあります：{sizes}。</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>以後 {file} が{sizes}をまとめます</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>フレームが 1 つだけの瞬間 {n:,}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>合わない名前 {n:,}（表の末尾）</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>この名前はパターンに合わないため、フレームは単独です</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>ビューをまとめる</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>フレーム名のパターン</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} に書き込む</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>これらのグループをデータセットのフォルダーに保存します</translation>
-  </message>
-  <message>
    <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>?（そのまま、未知のクラス）</translation>
   </message>
   <message>
    <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
    <translation>除外する</translation>
   </message>
   <message>
    <source>Label</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>ラベル</translation>
   </message>
   <message>
    <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>図形</translation>
   </message>
   <message>
    <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>対応先</translation>
   </message>
   <message>
    <source>Why</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>理由</translation>
   </message>
   <message>
    <source>sure</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>確か</translation>
   </message>
   <message>
    <source>likely</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>有力</translation>
   </message>
   <message>
    <source>to be said</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>要指定</translation>
   </message>
   <message numerus="yes">
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>
     <numerusform>{n} 個のラベルは {field} のクラスではありません。何に対応するかを指定してください。候補は、語と、図形がどの要素の上にあるかから選びました。</numerusform>
    </translation>
   </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>これらの名前は {field} のものに近いようです。先にそのフィールドを選んでください（ファイル &gt; フィールド）。</translation>
   </message>
   <message>
    <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>ほかのプログラムの名前</translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>これらの名前をデータセットに保存する（{file}）</translation>
   </message>
   <message>
    <source>Import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>取り込む</translation>
   </message>
   <message>
    <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>{label} の対応先</translation>
   </message>
   <message>
    <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>結果</translation>
   </message>
   <message>
    <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>注釈を取り込む</translation>
   </message>
   <message>
    <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>取り込む注釈</translation>
   </message>
   <message>
    <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>ファイルを調べる</translation>
   </message>
   <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <source>Only frames without annotations</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>まだ注釈のないフレームだけ</translation>
   </message>
   <message>
    <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>ほかのフレームの注釈も置き換える</translation>
   </message>
   <message>
    <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>前の内容はフレームの以前の版に残り、元に戻すでも復元できます</translation>
   </message>
   <message>
    <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>注釈</translation>
   </message>
   <message>
    <source>Format</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>形式</translation>
   </message>
   <message>
    <source>Import into</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>取り込み先</translation>
   </message>
   <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
-   <translation>フレームは画像の名前で対応付けます。</translation>
-  </message>
-  <message>
    <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>注釈 (*.json *.xml *.zip);;すべてのファイル (*)</translation>
   </message>
   <message>
    <source>Export as</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>形式を選んで書き出す</translation>
   </message>
   <message>
    <source>Export…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>書き出す…</translation>
   </message>
   <message>
    <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>フォルダーの代わりに 1 つの zip にする</translation>
   </message>
   <message>
    <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>既存のファイルを置き換える</translation>
   </message>
   <message>
    <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>SoccerNet にクラスのない要素も残す</translation>
   </message>
   <message>
    <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>線の幅</translation>
   </message>
   <message>
    <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>画像もコピーする</translation>
   </message>
   <message>
    <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>フォルダーに書き出す</translation>
   </message>
   <message>
    <source>Keeps {holds}.
 Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>残るもの：{holds}。
 失われるもの：{loses}。</translation>
   </message>
   <message>
    <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>これらの名前をデータセットの {file} に加え、書き直します</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
    <translation>取り消し</translation>
   </message>
   <message>
    <source>Close</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>閉じる</translation>
   </message>
   <message>
    <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>フォルダー、zip、または 1 つのファイル</translation>
   </message>
   <message>
    <source>File…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>ファイル…</translation>
   </message>
   <message>
    <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>フォルダー…</translation>
   </message>
   <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
+   <translation>フレームは画像の名前で対応付けます。</translation>
+  </message>
+  <message>
    <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>zip (*.zip)</translation>
   </message>
   <message>
    <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frames}、{elements}、{points}を {path} に書き出しました（{format}）。</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} 件の注釈</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームの JaC</numerusform>
    </translation>
   </message>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>すべては保存できませんでした：ディスク上の内容を書き出します。</translation>
   </message>
   <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>何も書き出していません：注釈のあるフレームがないか、どれも書き出せませんでした。</translation>
+  </message>
+  <message>
    <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame} の当てはめを {path} に保存しました</translation>
   </message>
   <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>保存するカメラがありません：当てはめがまだです</translation>
-  </message>
-  <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{source} は採点に使うクリック自身から作られています。採点するカメラを評価してください（procc-annotator calibrate はセットを当てはめて採点します）</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{annotations}と{scores}</translation>
   </message>
   <message>
    <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>書き出すものがありません：注釈のあるフレームがありません</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>書き出しを取り消しました。すでに書き出したファイルは残っています</translation>
   </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>何も書き出していません：注釈のあるフレームがないか、どれも書き出せませんでした。</translation>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレーム</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>要素 {n:,} 個</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} 点</numerusform>
    </translation>
   </message>
   <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>自動当てはめはオフです（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまで当てはめは非表示です（Ctrl+Enter）</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>保存するカメラがありません：{why}</translation>
-  </message>
-  <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>zip (*.zip);;フォルダー (*)</translation>
   </message>
   <message>
    <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>表 (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
    <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>概要を書き出す</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを {path} に書き出しました</numerusform>
    </translation>
   </message>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>セットはまだ採点中でした：JaC のないフレームがあります</translation>
   </message>
   <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>まずカメラを読み込んでください：採点するものがありません</translation>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>保存するカメラがありません：当てはめがまだです</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>ブラインド：提出済みのフレームがまだないため、示せる JaC がありません</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{what}を {path} に書き出しました</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>取り消しました。すでに書き出したファイルは残っています。</translation>
   </message>
   <message>
    <source>Not written</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>書き出せなかったもの</translation>
   </message>
   <message>
    <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>この形式で保持できないもの</translation>
   </message>
   <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>保存するカメラがありません：{why}</translation>
+  </message>
+  <message>
    <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>当てはめを計算し直しています。少し後で保存してください</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame}：画像を読めないため、カメラのピクセルの基準となるサイズがありません。保存していません</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{path} に保存しましたが、読み込んだカメラを読み直せませんでした：{problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{saved}。ほぼ決まっていません：{why}</translation>
   </message>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>すべては保存できませんでした：書き出したのは最後に保存した状態です</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>ブラインドモードのため、未提出の {n:,} フレームを除きます</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} ファイルを読めませんでした：{problem}</numerusform>
    </translation>
   </message>
   <message>
    <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
    <translation>表 (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>書き出す</translation>
   </message>
   <message>
    <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>書き出し {done} / {total}</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>フィールドはそのままとし、これらのクラスについて今後尋ねません</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>データセットが記憶し、今後は尋ねません</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>いいえ、{field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>このデータセットのフィールド</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>フィールドの定義 (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>これは {field} ですか？ここで注釈されたクラスは {field} のものです</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{why}。ただしデータセットのフォルダーの {file} が優先されます</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>はい、{field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{field} に切り替える</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{problem}。フィールドは変わりません：{field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>スコアは、公式評価が用いる公称フィールド（{nominal}）のものと異なります。計算に使った寸法が記されます。</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>独自の寸法（stadiums.csv）：{stadiums}の{frames}。ここでの入力は、それ以外と、スタジアムの定めていない寸法に使われます。</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>スコアは公式評価のものと異なります。公式評価では規則の測る位置を線とします。スコアにその旨が記されます。</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>規則では多くの線を塗りの縁で測ります。クリックは塗りの中央、つまり幅の半分だけ離れた位置に置かれます。屋内競技やカメラに近い場合など、差が問題になるときに選んでください。</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>フレームから求められるのは長さと幅だけで、このフィールドでは規則で決まっています</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m、{n} フレームから。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>規則の測る位置</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>塗りの中央</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>フィールドの寸法：{field}</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} フレームのカメラから。± は 1 標準偏差。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>{remark}。元のままです。</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>このセットから推定</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>クリックの位置：</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>このデータセットに保存</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>公称値</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>公式評価が用いるフィールド</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>公称 {nominal:g} m、規則では {minimum:g}～{maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;{number:g} m は不可：規則では {minimum:g}～{maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} フレーム</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} スタジアム</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>ブラインド：提出していないフレームは対象外です（{n}）。</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>読めないフレームは対象外です：{n}。</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py, procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>停止</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>フィールド {field} の寸法はすべて規則で決まっています</translation>
+  </message>
+  <message>
+   <source>Blind: the set is checked once one of its frames is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>ブラインド：1 フレームを提出するとセットを調べます（Ctrl+Enter）。</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより後に注釈済みのフレームはありません</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより後に疑わしいフレームはありません</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより前に疑わしいフレームはありません</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{total} 中 {place} 番目に悪い：JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{total} 中 {place} 番目に悪い：最大誤差 {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{total} 中 {place} 番目に悪い：不一致の中央値 {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ほかに差し戻しのフレームはありません</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{frame} は{status}です</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>移れるスコア付きのフレームがありません</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>移れるスコア付きのフレームがありません：ブラインドモードでは提出済みのフレームだけを示します</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>セット全体で {source} と {other} を比較しています</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ブラインドモード：追跡の良し悪しは隠されます</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>まだショットを追跡していません（T）</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これらのフレームは連続していません</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより後のフレームはすべて注釈済みです</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより前のフレームはすべて注釈済みです</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより後のフレームはすべて完了または承認済みです</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これより前のフレームはすべて完了または承認済みです</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>不一致を見るにはソースが 2 つ必要です。カメラをもう 1 つ読み込んでください（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} と {other} を地面上で比較できるフレームがありません</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ソースの比較を止めました</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これが最も悪いフレームです。もう一度で次へ</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ほかにスコアのあるフレームはありません</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>最も悪いフレームから再び</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>すでに 2 つのソースを比較しています</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} と {other} を比較しました</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/ghost_accepting.py, procc_annotator/gui/commands/versions.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{accepted}：{points}、線の見え方 {share:.0%}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{elements} の {n} 端は見えません：点は手前で止まります</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>その間にカメラが変わりました</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what}を採用</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>ゴースト {n} 個</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{total} 中 {n} 個のゴースト</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{what}を採用しました</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} 端は見えません：点は手前で止まります</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>その間にフレームが編集されました</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{frame} で線を探すのに時間がかかりすぎました</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} は採用されません：{why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>すべてのゴーストを採用</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>ほかのすべてと一緒に採用するには、ゴーストの線がどれだけ見える必要があるか（%）：</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element}：沿った塗りの線が見つかりません。手でクリックするか、ここでは見えないとしてください（.）</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>カメラを当てはめ中です。ゴーストは少し後で採用してください</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません。線の見え方が {least:.0%} 未満：{ghosts}。Tab で順に見ます</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{frame} で{what}を採用しました</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません：線を探す画像がありません</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません：{why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} は採用されません</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>ゴーストを採用しました。新しい当てはめのゴーストを採用してください</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>描画中のものを終えました。新しい当てはめのゴーストを採用してください</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>採用したゴーストはありません</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element} は点が見つかり次第採用します</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>まずゴーストへ移るか（Tab）、要素を選んでください</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>最初のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描くか、ショットを追跡してください（T）</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>最後のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>カメラを当てはめ中です。ゴーストはまもなく現れます</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：画像からカメラを探しています</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：{why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：ほかに見えるものは注釈済みか、十分に確かではありません</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：要素を 3～4 個注釈するとカメラが求まります</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描いてください</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：オフになっています（要素 &gt; ゴースト &gt; ゴーストを表示）</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>重ね描きが非表示のため、ゴーストは見えません（Ctrl+H、または X を離す）</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>まず描画中のものを終えるか（Enter）、取り消してください（Esc）</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：カメラを当てはめられませんでした</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>まだ合うカメラがありません</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>手で描いている最中です</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} はここで注釈済みです。まず削除してください（Ctrl+Delete）</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} はここでは見えません。Ctrl+. で取り消し</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} はここで再び見える可能性があります</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>このフレームで見えないとされた要素はありません</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>最後のゴーストでした</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>まずゴーストへ移ってください（Tab）</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{off}。まず要素を選んでください</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレーム中 {edited} を取り込みました（{format}）。</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <source>Cancelled: {n:,} frames were not checked.</source>
+   <extracomment>Cancelled: {n:,} frame was not checked. / Cancelled: {n:,} frames were not checked. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>取り消しました：{n:,} フレームは調べていません。</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームは注釈済みのため、そのままにしました。</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームはすでに同じ内容です。</numerusform>
    </translation>
@@ -2456,837 +2449,804 @@ Loses {loses}.</source>
   <message>
    <source>import</source>
    <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>取り込み</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレーム中 {edited} を取り込みました</numerusform>
    </translation>
   </message>
   <message>
    <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>取り消しました。何も取り込んでいません。</translation>
   </message>
   <message>
    <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>そのままにしたもの</translation>
   </message>
   <message>
    <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>読めなかったもの</translation>
   </message>
   <message>
    <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>ここに画像のないもの（{n}）</translation>
   </message>
   <message>
    <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>変更または除外したもの</translation>
   </message>
   <message>
    <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>保存できませんでした：{why}</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>画像</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>動画</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>以前ここで開いたカメラがもうありません：{paths}</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>サンプルはソースに付属しており、ここにはありません</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>自分用のコピー（{folder}）。カメラはカメラメニューから読み込んでください</translation>
-  </message>
-  <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>カメラのフォルダーを読み込む</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>カメラを読み込む</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>カメラ</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>以前ここで開いたカメラは開き直しません：{why}</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>画像のフォルダーを開く</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>画像を開く</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>動画を開く</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>2 人目の注釈者のフォルダーを開く</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px、凡例を除く</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px は大きすぎます。倍率を下げるか SVG を選んでください</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>PNG：ピクセル、劣化なし</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>JPEG：ピクセル、小さい</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>SVG：線と文字が鮮明なまま</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>画像 (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>重ね描き画像を保存</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>画像の 1 px あたりの出力の px。線と文字も同じ比で大きくなります</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>色、破線、記号の意味を画像の下に示します</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>種類(&amp;K)</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>倍率(&amp;S)</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>結果</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>凡例(&amp;L)</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>重ね描き画像 {path} を書き出しています…</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>まず画像を開いてください</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{path}：元の画像そのものです。別の名前を選んでください</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>重ね描き画像を {path} に書き出しました</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>取り出す間隔</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>各場面の最初のフレーム</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>動画全体からカットを探します。しばらくかかります</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>フィールド</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>{file} を読み込み中</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>{file} のカットを探しています</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>このフレームはすでに画像です</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>{path} に保存しました</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>フレームの書き出しは行いません。「この動画フレームを残す」で画像になります。</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{total} 中 {place} 番目に悪い：JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{total} 中 {place} 番目に悪い：最大誤差 {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{total} 中 {place} 番目に悪い：不一致の中央値 {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>JaC がまだありません。まずカメラを読み込んでください</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>ほかに差し戻しのフレームはありません</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{frame} は{status}です</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>移れるスコア付きのフレームがありません</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>セット全体で {source} と {other} を比較しています</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>これより後のフレームはすべて完了または承認済みです</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>これより前のフレームはすべて完了または承認済みです</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>不一致を見るにはソースが 2 つ必要です。カメラをもう 1 つ読み込んでください（Ctrl+L）</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} と {other} を地面上で比較できるフレームがありません</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>ソースの比較を止めました</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>これが最も悪いフレームです。もう一度で次へ</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>ほかにスコアのあるフレームはありません</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>最も悪いフレームから再び</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>移れるスコア付きのフレームがありません：ブラインドモードでは提出済みのフレームだけを示します</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>すでに 2 つのソースを比較しています</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} と {other} を比較しました</translation>
   </message>
   <message>
    <source>error</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>エラー</translation>
   </message>
   <message>
    <source>warning</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>警告</translation>
   </message>
   <message>
    <source>hint</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>ヒント</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>指摘 {place} / {total}、{severity}：{elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>検査パネルの設定ほど確かな指摘はありません</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>要素 {n} 個のクラスを変更しました</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを検査、カメラモデル {model}：{found}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>検査済みの {n:,} フレーム</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} と {other}</translation>
   </message>
   <message>
    <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>クラス検査はこのフレームをまだ調べています</translation>
   </message>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>クラス検査の指摘はありません。すべてのフレームを調べるにはセット全体を検査してください</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{done}。Ctrl+Z で取り消し</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} の点 {n} を取り除きました</translation>
   </message>
   <message>
    <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} と {other} を入れ替えました</translation>
   </message>
   <message>
    <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} を {other} に変更しました</translation>
   </message>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{elements} が変わるまで無視します。検査パネルで再び表示できます</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームは検査できません</numerusform>
    </translation>
   </message>
   <message>
    <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>指摘を書き出す</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{frames}の指摘 {n:,} 件を {path} に書き出しました</numerusform>
    </translation>
   </message>
   <message>
    <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>クラス検査の指摘はありません</translation>
   </message>
   <message>
    <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>その後要素が変わったため、検査し直しました</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} の点を取り除きました</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>まず指摘へ移ってください（F10）</translation>
   </message>
   <message>
    <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>セットの検査を止めました。これまでの指摘は残ります</translation>
   </message>
   <message>
    <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>このフレームにクラス検査の指摘はありません</translation>
   </message>
   <message>
    <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>指摘なし</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>対処法がありません：{reason}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解除すると、これに注釈する全員にカメラ、ゴースト、当てはめが表示されます。{author} が解除したことと日時がデータセットに記録されます。</translation>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>以前ここで開いたカメラは開き直しません：{why}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解除すると、あなたにカメラ、ゴースト、当てはめが表示されます。ほかの人には固定されていませんでした。{author} が解除したことと日時がデータセットに記録されます。</translation>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>動画を開く</translation>
   </message>
   <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ブラインドモードのため、未提出のフレームの {n} 件を除きます</translation>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>取り出す間隔</translation>
   </message>
   <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ブラインドモードの固定を解除</translation>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>各場面の最初のフレーム</translation>
   </message>
   <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解除して記録する</translation>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>動画全体からカットを探します。しばらくかかります</translation>
   </message>
   <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>固定したままにする</translation>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, the field american_football, the menus]</extracomment>
+   <translation>フィールド</translation>
   </message>
   <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{frame}：{source} への判定を取り消しました</translation>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>{file} を読み込み中</translation>
   </message>
   <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>判定へのメモ</translation>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>{file} のカットを探しています</translation>
   </message>
   <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ここでの誤り：</translation>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>画像</translation>
   </message>
   <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>判定を書き出す</translation>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>動画</translation>
   </message>
   <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ブラインド：提出済みのフレームに判定がありません</translation>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>フレームの書き出しは行いません。「この動画フレームを残す」で画像になります。</translation>
   </message>
   <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>まだ判定がありません。まずフレームを判定してください</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>判定 {n:,} 件を {path} に書き出しました</numerusform>
-   </translation>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>以前ここで開いたカメラがもうありません：{paths}</translation>
   </message>
   <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>判定はフレームとカメラに対するものです。まずカメラを読み込んでください</translation>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>このフレームはすでに画像です</translation>
   </message>
   <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまでカメラは非表示です（Ctrl+Enter）</translation>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>{path} に保存しました</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>まずフレームを判定してください：カメラの誤り、注釈の誤り、または問題なし</translation>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>サンプルはソースに付属しており、ここにはありません</translation>
   </message>
   <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>すべては保存できませんでした：数値は最後に保存した状態のものです</translation>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>自分用のコピー（{folder}）。カメラはカメラメニューから読み込んでください</translation>
   </message>
   <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} はクリックに従います。判定は読み込んだカメラに対するものです</translation>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>カメラのフォルダーを読み込む</translation>
   </message>
   <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} はここで計算したものです。判定は読み込んだカメラに対するものです</translation>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>カメラを読み込む</translation>
   </message>
   <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>このフレームに以前の版はありません。</translation>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>カメラ</translation>
   </message>
   <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>現在との比較：{changes}。異なるもの：{elements}。</translation>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>画像のフォルダーを開く</translation>
   </message>
   <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>読めません</translation>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>画像を開く</translation>
   </message>
   <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>空</translation>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>2 人目の注釈者のフォルダーを開く</translation>
   </message>
   <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>現在と同じ</translation>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px、凡例を除く</translation>
   </message>
   <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>要素が異なる</translation>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px は大きすぎます。倍率を下げるか SVG を選んでください</translation>
   </message>
   <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>点が移動</translation>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>PNG：ピクセル、劣化なし</translation>
   </message>
   <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>フレームの現在の内容です。</translation>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>JPEG：ピクセル、小さい</translation>
   </message>
   <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>現在との比較：同じ点で、要素の順序が異なります。</translation>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>SVG：線と文字が鮮明なまま</translation>
   </message>
   <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>以前の版に戻す</translation>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>画像 (*{suffix})</translation>
   </message>
   <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>以前の版</translation>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>重ね描き画像を保存</translation>
   </message>
   <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>この版に戻す</translation>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>画像の 1 px あたりの出力の px。線と文字も同じ比で大きくなります</translation>
   </message>
   <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>%Y/%m/%d %H:%M:%S</translation>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>色、破線、記号の意味を画像の下に示します</translation>
   </message>
   <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>ほか {n} 個</translation>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>種類(&amp;K)</translation>
   </message>
   <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>以前の版に戻しました。元に戻すで取り消せます</translation>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>倍率(&amp;S)</translation>
   </message>
   <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>以前の版に戻しました。読めなかったものも版として残ります</translation>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>結果</translation>
   </message>
   <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>フレームが別の場所で変更されました。確認してからもう一度戻してください</translation>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>凡例(&amp;L)</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>重ね描き画像 {path} を書き出しています…</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>まず画像を開いてください</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{path}：元の画像そのものです。別の名前を選んでください</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>重ね描き画像を {path} に書き出しました</translation>
   </message>
   <message>
    <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>すでに注釈されました</translation>
   </message>
   <message>
    <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>その後編集されました</translation>
   </message>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>採用するフレームがありません。まずショットを追跡してください（T）。疑わしいフレームと注釈済みのフレームは除きます</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>ブラインドモード：クリックしていないものは採用しません</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>追跡に沿って塗りを探しています：{total} 中 {done} フレーム</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>追跡に沿って {n:,} フレームを採用しました</numerusform>
    </translation>
   </message>
   <message>
    <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Ctrl+Z で取り消し</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>取り消しました：追跡に沿って採用した {n:,} フレーム</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを残しました：{why}</numerusform>
    </translation>
   </message>
   <message>
    <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>追跡に沿って塗りを探しています</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>採用したフレームはありません：{why}</translation>
   </message>
   <message>
    <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>追跡を採用</translation>
   </message>
   <message>
    <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>追跡を取り消す</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>取り消せる採用はありません</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>取り消しました：採用したフレームはありません</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>採用したフレームはありません：線がほとんど見えません</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを追跡、うち {doubtful:,} は疑わしい（Alt+PgDown）。Ctrl+Shift+Enter で確かなものを採用</numerusform>
    </translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>追跡中：{total} 中 {done} フレーム  ·  T で停止</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを追跡、すべて確か。Ctrl+Shift+Enter で採用</numerusform>
    </translation>
   </message>
   <message>
    <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>ショットの両端を探しています…  T で停止</translation>
   </message>
   <message>
    <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>ショットを追跡できませんでした：{why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>追跡できるのは動画か、連続するフレームだけです</translation>
   </message>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>ブラインドモード：カメラが見えてしまうため、ショットは追跡しません</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>ショットに確かなカメラのフレームがありません。1 つ注釈してから追跡してください</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>停止しました。これまでの追跡は残ります</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>停止しました。追跡していません</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>これより後に注釈済みのフレームはありません</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解除すると、これに注釈する全員にカメラ、ゴースト、当てはめが表示されます。{author} が解除したことと日時がデータセットに記録されます。</translation>
   </message>
   <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>これより後に疑わしいフレームはありません</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解除すると、あなたにカメラ、ゴースト、当てはめが表示されます。ほかの人には固定されていませんでした。{author} が解除したことと日時がデータセットに記録されます。</translation>
   </message>
   <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>これより前に疑わしいフレームはありません</translation>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>ブラインドモードのため、未提出のフレームの {n} 件を除きます</translation>
   </message>
   <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>ブラインドモード：追跡の良し悪しは隠されます</translation>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{frame}：{source} への判定を取り消しました</translation>
   </message>
   <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>まだショットを追跡していません（T）</translation>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>判定へのメモ</translation>
   </message>
   <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>これらのフレームは連続していません</translation>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>ここでの誤り：</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>判定を書き出す</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>ブラインド：提出済みのフレームに判定がありません</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>まだ判定がありません。まずフレームを判定してください</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>
+    <numerusform>判定 {n:,} 件を {path} に書き出しました</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>ブラインドモードの固定を解除</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解除して記録する</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>固定したままにする</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>まずフレームを判定してください：カメラの誤り、注釈の誤り、または問題なし</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>すべては保存できませんでした：数値は最後に保存した状態のものです</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} はクリックに従います。判定は読み込んだカメラに対するものです</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} はここで計算したものです。判定は読み込んだカメラに対するものです</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>このフレームに以前の版はありません。</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>現在との比較：{changes}。異なるもの：{elements}。</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>読めません</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>空</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>現在と同じ</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>要素が異なる</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>点が移動</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>フレームの現在の内容です。</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>現在との比較：同じ点で、要素の順序が異なります。</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>以前の版に戻す</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>以前の版</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>この版に戻す</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>%Y/%m/%d %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>ほか {n} 個</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>以前の版に戻しました。元に戻すで取り消せます</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>以前の版に戻しました。読めなかったものも版として残ります</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>フレームが別の場所で変更されました。確認してからもう一度戻してください</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>同じ瞬間を別のカメラから写したフレームが 1 つのグループです。名前のパターンで指定します：&lt;b&gt;{instant}&lt;/b&gt; は撮影の瞬間、&lt;b&gt;{view}&lt;/b&gt; はカメラ、それ以外は文字どおりです。&lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; と &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; を含む正規表現も使えます。</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>これらの名前に合うパターンが見つかりません。書いてください。</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>今の内容は、そこに書かれたほかのすべてとともに失われます。</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>瞬間</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}、{n:,} グループ（各 {least}～{most}）</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}、{n:,} 瞬間</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレーム、グループなし。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}、{n:,} グループ</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>フレームのグループ</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>以後 {file} が{sizes}をまとめます</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>フレームが 1 つだけの瞬間 {n:,}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>合わない名前 {n:,}（表の末尾）</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>この名前はパターンに合わないため、フレームは単独です</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>ビューをまとめる</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>フレーム名のパターン</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} はすでにあります：{sizes}。</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} に書き込む</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>これらのグループをデータセットのフォルダーに保存します</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -3431,7 +3391,7 @@ Loses {loses}.</source>
    <translation>Ctrl を押し続ける</translation>
   </message>
   <message>
-   <source>click beside the line: no snapping</source>
+   <source>click off the line: no snapping</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>線の横をクリック：吸着なし</translation>
   </message>
@@ -3457,7 +3417,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>矢印キー</translation>
   </message>
   <message>
@@ -3660,15 +3620,32 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} はすでにあり、内容が異なります。</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} フレームが保存されておらず、今また保存に失敗しました。</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>{text}。</translation>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>ファイルの内容を表示します。元に戻すと自分の版に戻ります</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>画面の内容をファイルに上書きします</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} を削除しますか？</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>そのまま残す</translation>
   </message>
   <message>
    <source>Delete</source>
@@ -3681,26 +3658,14 @@ Loses {loses}.</source>
    <translation>置き換える</translation>
   </message>
   <message>
-   <source>Keep it</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>そのまま残す</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames are not saved, and saving failed again just now.</source>
-   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
-   <translation>
-    <numerusform>{n} フレームが保存されておらず、今また保存に失敗しました。</numerusform>
-   </translation>
+   <translation>閉じて失う</translation>
   </message>
   <message>
    <source>Stay</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>とどまる</translation>
-  </message>
-  <message>
-   <source>Close and lose them</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>閉じて失う</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3713,24 +3678,9 @@ Loses {loses}.</source>
    <translation>相手の内容を読み込む</translation>
   </message>
   <message>
-   <source>Show what is in the file; undo brings your version back</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>ファイルの内容を表示します。元に戻すと自分の版に戻ります</translation>
-  </message>
-  <message>
    <source>Overwrite with mine</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>自分の内容で上書き</translation>
-  </message>
-  <message>
-   <source>Write what you see on screen over the file</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>画面の内容をファイルに上書きします</translation>
-  </message>
-  <message>
-   <source>This frame is not editable. {problem}</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>このフレームは編集できません。{problem}</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -3782,6 +3732,11 @@ Loses {loses}.</source>
    <translation>2 人目の注釈を閉じます</translation>
   </message>
   <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>このフレームの 2 人目の注釈ファイルを読めません：{error}</translation>
+  </message>
+  <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>一致度 JaC（{tau:g} px）：{jac:.3f}</translation>
@@ -3809,19 +3764,9 @@ Loses {loses}.</source>
    <translation>点</translation>
   </message>
   <message>
-   <source>The second annotator's file for this frame is unreadable: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>このフレームの 2 人目の注釈ファイルを読めません：{error}</translation>
-  </message>
-  <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>非表示：ブラインドモードでは、このフレームの提出後にスコアを表示します。</translation>
-  </message>
-  <message>
-   <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>このフレームには 2 人目の注釈がありません。</translation>
+   <translation>非表示：ブラインドモードでは、このフレームの提出後にスコアを表示します。</translation>
   </message>
   <message>
    <source>One of the two seems to label the field turned by 180 degrees.</source>
@@ -3870,374 +3815,374 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
-   <translation>soccernet（公式）</translation>
-  </message>
-  <message>
-   <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>procc（論文）</translation>
-  </message>
-  <message>
-   <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>見逃しとして数える</translation>
-  </message>
-  <message>
-   <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>数えない</translation>
-  </message>
-  <message>
-   <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>カメラ ({endings});;すべてのファイル (*)</translation>
-  </message>
-  <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>比較するソース</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>使用中のソースと照らし合わせます：コンマ、分割表示、不一致</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>比較対象</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>{far:g} m 以内 {share:.0f} %（画像の {covered:.0f} %）</translation>
-  </message>
-  <message>
-   <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>カメラが読み込まれていません。
-SoccerNet のカメラファイルまたはホモグラフィのフォルダーを読み込むと、クリックと照らして評価します。</translation>
-  </message>
-  <message>
-   <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>フォルダーを読み込む…</translation>
-  </message>
-  <message>
-   <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>フレームごとに 1 つのカメラファイルがあるフォルダー</translation>
-  </message>
-  <message>
-   <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>ファイルを読み込む…</translation>
-  </message>
-  <message>
-   <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>カメラの zip、または 1 フレームのカメラ</translation>
-  </message>
-  <message>
-   <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>次に読み込むファイルの読み方</translation>
-  </message>
-  <message>
-   <source>soccernet: the official evaluation with its quirks
-procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>soccernet：公式評価（その癖も含む）
-procc：論文の定義。閉じた円と細かい曲線</translation>
-  </message>
-  <message>
-   <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>ホモグラフィは地面しか知りません。ポストやクロスバーの数え方を決めます</translation>
-  </message>
-  <message>
-   <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>読み方</translation>
-  </message>
-  <message>
-   <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
-   <translation>プロトコル</translation>
-  </message>
-  <message>
-   <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>地面にない要素</translation>
-  </message>
-  <message>
-   <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>このフレーム：{notice}</translation>
-  </message>
-  <message>
-   <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>⚠ このフレームのカメラは使えません：{error}</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>最小</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>中央値</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>1 ピクセルが指す地面上の 2 点の間</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>ピクセルから、その地面の点を比較カメラが示す位置まで</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>地面上、m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>画像内、px</translation>
-  </message>
-  <message>
-   <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまで投影は隠されます。</translation>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>このフレームには 2 人目の注釈がありません。</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>このデータセットでカメラのあるフレーム（網羅率）</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>このウィンドウで開き、クリックからカメラが求まったフレーム。JaC は当てはめに使ったクリック自身に対する値です。
 procc-annotator calibrate はセット全体を当てはめて採点します</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>ショット内で追跡し、カメラのあるこのデータセットのフレーム。
 procc-annotator track は動画全体を追跡してカメラを書き出します</translation>
   </message>
   <message>
    <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>黄</translation>
   </message>
   <message>
    <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>紫</translation>
   </message>
   <message>
    <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>青</translation>
   </message>
   <message>
    <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>ミント</translation>
   </message>
   <message>
    <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>紺</translation>
   </message>
   <message>
    <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>シアン</translation>
   </message>
   <message>
    <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>自動当てはめをオフにする（Ctrl+T で再びオン）</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>一覧から除く（ファイルは残ります）</translation>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>ソースの名前</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>追跡結果を破棄する（T で再び追跡）</translation>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>別のソースを評価している間、ワイヤーフレームで描きます</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>平均 JaC（{tau:.1f} px、{frames}）</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>読めないもの（フィルター camera:unreadable）：{names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{total} 中 {matched}、{n} は読めません</numerusform>
    </translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>ソースの名前</translation>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>一覧から除く（ファイルは残ります）</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>別のソースを評価している間、ワイヤーフレームで描きます</translation>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>追跡結果を破棄する（T で再び追跡）</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>何も評価せず、カメラも描きません</translation>
   </message>
   <message>
    <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} を評価</translation>
   </message>
   <message>
    <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} を除く</translation>
   </message>
   <message>
    <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} を描く</translation>
   </message>
   <message>
    <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} の色</translation>
   </message>
   <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>その他…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>ソースの色</translation>
-  </message>
-  <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>カメラなし</translation>
-  </message>
-  <message>
-   <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>何も評価せず、カメラも描きません</translation>
-  </message>
-  <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>これまでの {frames}</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{mean}。{n:,} 個のカメラは読めず、対象外です</numerusform>
    </translation>
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model}（地面）</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>ここでは {model}、複数のモデル</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを追跡</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを当てはめ</numerusform>
    </translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{total} 中 {n}（{share}）</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{names} ほか {n:,} 件</numerusform>
    </translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>ここでは使えません：{error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>このフレームのカメラがありません</translation>
   </message>
   <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>その他…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>ソースの色</translation>
+  </message>
+  <message>
    <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>ダブルクリックまたは F2 で名前を変えられます</translation>
   </message>
   <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>ブラインドモードではソースの良し悪しを隠します</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>注釈された要素とこのソースのカメラがともにあるフレームがありません</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} 個のカメラ</numerusform>
    </translation>
   </message>
   <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>カメラなし</translation>
+  </message>
+  <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>複数のモデル</translation>
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the setting protocol]</extracomment>
+   <translation>soccernet（公式）</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>procc（論文）</translation>
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>見逃しとして数える</translation>
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>数えない</translation>
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>カメラ ({endings});;すべてのファイル (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>比較するソース</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>比較対象</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>{far:g} m 以内 {share:.0f} %（画像の {covered:.0f} %）</translation>
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>カメラが読み込まれていません。
+SoccerNet のカメラファイルまたはホモグラフィのフォルダーを読み込むと、クリックと照らして評価します。</translation>
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>フォルダーを読み込む…</translation>
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>ファイルを読み込む…</translation>
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>読み方</translation>
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the menus, the setting protocol]</extracomment>
+   <translation>プロトコル</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>地面にない要素</translation>
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>このフレーム：{notice}</translation>
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>⚠ このフレームのカメラは使えません：{error}</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>使用中のソースと照らし合わせます：コンマ、分割表示、不一致</translation>
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>最小</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>中央値</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>最大</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>地面上、m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>画像内、px</translation>
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>フレームごとに 1 つのカメラファイルがあるフォルダー</translation>
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>カメラの zip、または 1 フレームのカメラ</translation>
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>次に読み込むファイルの読み方</translation>
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>soccernet：公式評価（その癖も含む）
+procc：論文の定義。閉じた円と細かい曲線</translation>
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>ホモグラフィは地面しか知りません。ポストやクロスバーの数え方を決めます</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>1 ピクセルが指す地面上の 2 点の間</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>ピクセルから、その地面の点を比較カメラが示す位置まで</translation>
   </message>
   <message>
    <source>annotated</source>
@@ -4296,7 +4241,7 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
    <translation>注釈済みだがカメラは投影しない（偽陰性）</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
+   <source>Marked as not visible in this frame</source>
    <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
    <translation>このフレームでは見えないとされたもの</translation>
   </message>
@@ -4312,7 +4257,7 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>形状なし</translation>
   </message>
   <message>
@@ -4326,9 +4271,11 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
    <translation>要素を探す</translation>
   </message>
   <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>要素</translation>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>「{query}」に一致する要素はありません。
+Esc で検索を消します。</translation>
   </message>
   <message>
    <source>Annotated points</source>
@@ -4343,11 +4290,9 @@ Class in files: {name}</source>
 ファイル内のクラス：{name}</translation>
   </message>
   <message>
-   <source>No element matches “{query}”.
-Esc clears the search.</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation>「{query}」に一致する要素はありません。
-Esc で検索を消します。</translation>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>要素</translation>
   </message>
   <message>
    <source>Key</source>
@@ -4366,7 +4311,7 @@ Esc で検索を消します。</translation>
    <translation>状態</translation>
   </message>
   <message>
-   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <source>Annotating it next helps most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>次にこれを注釈すると最も効果があります：投影の不確かさが {before:.1f} px から {after:.1f} px になります</translation>
   </message>
@@ -4392,27 +4337,27 @@ Esc で検索を消します。</translation>
   </message>
   <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>エラー</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>警告</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>ヒント</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>このフレームに指摘はありません。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームに指摘はありません。</numerusform>
    </translation>
@@ -4420,159 +4365,159 @@ Esc で検索を消します。</translation>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>フレームがありません。
 画像のフォルダーを開くとクラスを検査します。</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>このフレームには何も注釈されていません。</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>カメラの要らない規則では指摘はありません。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>無視した {n:,} 件のほかに指摘はありません。</numerusform>
    </translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>ブラインド：カメラの要る指摘は、このフレームを提出するまで出ません（Ctrl+Enter）。</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>自動当てはめがオフです：カメラの要らない規則だけを調べます。</translation>
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>まだ合うカメラがありません（{why}）：カメラの要らない規則だけを調べます。</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>ブラインド：カメラを使う検査は提出済みのフレームだけです。</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} フレームを検査できません。例：{name}：{why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The set is not checked yet; {n:,} frames checked so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame checked so far. / The set is not checked yet; {n:,} frames checked so far. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>セットはまだ検査していません。これまでに {n:,} フレームを調べました。</numerusform>
    </translation>
   </message>
   <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>一覧に示す指摘</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>検査したフレーム</translation>
+  </message>
+  <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>このフレームを検査中…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>セットを検査中…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>エラー {n:,} 件</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>警告 {n:,} 件</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>ヒント {n:,} 件</numerusform>
    </translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>指摘</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>一覧に示す指摘</translation>
-  </message>
-  <message>
    <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
    <translation>セット全体を検査</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
-   <translation>注釈のある全フレームで誤ったクラスを探します</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>検査したフレーム</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>検査した全フレームの指摘を CSV に書き出します</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>ほかに {n:,} 件を表示していません。上の記号をオンにしてください。</numerusform>
    </translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action ignore_finding]</extracomment>
    <translation>その要素の点が変わるまで表示しません</translation>
   </message>
   <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>指摘</translation>
+  </message>
+  <message>
    <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>このフレーム</translation>
   </message>
   <message>
    <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>セット全体</translation>
   </message>
   <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
+   <translation>注釈のある全フレームで誤ったクラスを探します</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>検査した全フレームの指摘を CSV に書き出します</translation>
+  </message>
+  <message>
    <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>{findings}。クリックで表示・非表示</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>ここで {n:,} 件を無視。&lt;a href="restore"&gt;再び表示&lt;/a&gt;</numerusform>
    </translation>
   </message>
   <message>
    <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/menus.py, the action ignore_finding]</extracomment>
    <translation>この指摘を無視</translation>
   </message>
   <message>
@@ -4655,14 +4600,44 @@ Open a folder of pictures to check their labels.</source>
    </translation>
   </message>
   <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>✕ 除外：{title}</translation>
-  </message>
-  <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{title}：平均 {mean} px、最大 {largest} px</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>誤りとみなされ、当てはめに使われませんでした</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>見えているのに注釈のない要素は JaC を下げます</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>ほぼ決まらないもの：{limits}</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめに使われた点の平均距離、画像の px</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>当てはめが推定した標準偏差</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>フレームのカメラとして保存</translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ 除外：{title}</translation>
   </message>
   <message>
    <source>Pan</source>
@@ -4701,54 +4676,14 @@ Open a folder of pictures to check their labels.</source>
    <translation>高さ (−z)</translation>
   </message>
   <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>見えているのに注釈のない要素は JaC を下げます</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>ほぼ決まらないもの：{limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>当てはめるモデル。自動：クリックが支える最も単純なもの</translation>
-  </message>
-  <message>
    <source>Model</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>モデル</translation>
   </message>
   <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>当てはめに使われた点の平均距離、画像の px</translation>
-  </message>
-  <message>
    <source>Residuals by element</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>要素ごとの残差</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>フレームのカメラとして保存</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>画像のフォルダーを開くと、クリックから求めたカメラが見られます。</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>自動当てはめがオフです（Ctrl+T）。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>非表示：ブラインドモードでは、このフレームの提出後に当てはめを表示します。</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
@@ -4767,7 +4702,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/pages.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>JaC（{tau:.1f} px）</translation>
   </message>
   <message>
@@ -4781,14 +4716,9 @@ Open a folder of pictures to check their labels.</source>
    <translation>JaC：{terms}。残差：画像の px、{width}x{height}</translation>
   </message>
   <message>
-   <source>Standard deviation, as the fit estimates it</source>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>当てはめが推定した標準偏差</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>誤りとみなされ、当てはめに使われませんでした</translation>
+   <translation>当てはめるモデル。自動：クリックが支える最も単純なもの</translation>
   </message>
   <message>
    <source>mean residual</source>
@@ -4797,97 +4727,97 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
-   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>未解決 {n}</numerusform>
    </translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>{frames} 中 {shown:,}</translation>
   </message>
   <message>
    <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>すべて完了</translation>
-  </message>
-  <message>
-   <source>⚠ unreadable</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ 読めません</translation>
-  </message>
-  <message>
-   <source>⚠ camera</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ カメラ</translation>
   </message>
   <message>
    <source>not annotated</source>
    <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>注釈なし</translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ 読めません</translation>
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ カメラ</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frame_rows.py]</extracomment>
    <translation>
     <numerusform>完了 {n:,}</numerusform>
    </translation>
   </message>
   <message>
    <source>● not saved</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>● 未保存</translation>
   </message>
   <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
-   <translation>フレームを絞り込む</translation>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>画像を読めません</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>フレーム</translation>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>平均 JaC {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>折りたたみ</translation>
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>展開</translation>
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>フレームを絞り込む</translation>
   </message>
   <message>
    <source>No frames.
 Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>フレームがありません。
 画像（jpg、png、bmp、webp）のフォルダーを開くか、ここにドロップしてください。</translation>
   </message>
   <message>
    <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>「{query}」に一致するものはありません。</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>フレーム</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>
     <numerusform>{frames}、{n:,} フォルダー</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>the picture cannot be read</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>画像を読めません</translation>
-  </message>
-  <message>
-   <source>mean JaC {jac:.3f}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>平均 JaC {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>folded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>折りたたみ</translation>
-  </message>
-  <message>
-   <source>unfolded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>展開</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -4930,12 +4860,17 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{frames} から三角測量</translation>
   </message>
   <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>この瞬間の別のビュー：クリックで移ります</translation>
+  </message>
+  <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>{title} はまだどのフレームでもクリックされていません。校正済みの 2 つのビューでクリックすると三角測量します。</translation>
   </message>
   <message>
-   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name next to Add to triangulate it.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>ここでクリックされたがまだ目印でないもの：{names}。「追加」の横に名前を書くと三角測量します。</translation>
   </message>
@@ -4950,11 +4885,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>測量済み</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>目印</translation>
-  </message>
-  <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>新しい目印</translation>
@@ -4963,11 +4893,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>追加</translation>
-  </message>
-  <message>
-   <source>Have a new landmark, to be clicked (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>クリックする目印を新しく作ります（Enter）</translation>
   </message>
   <message>
    <source>What people call it</source>
@@ -4985,24 +4910,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>設定</translation>
   </message>
   <message>
-   <source>The place was measured: it stays as it is from now on (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>位置は測量値です。以後この値のままにします（Enter）</translation>
-  </message>
-  <message>
    <source>Triangulate</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>三角測量</translation>
-  </message>
-  <message>
-   <source>Forget this landmark; clicks on it stay in the annotations</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>この目印を削除します。クリックは注釈に残ります</translation>
-  </message>
-  <message>
-   <source>Other views of this instant: go to one with a click</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>この瞬間の別のビュー：クリックで移ります</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
@@ -5035,7 +4945,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>一覧で目印を選ぶと三角測量します。</translation>
   </message>
   <message>
-   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <source>Only a landmark that has a name can be triangulated: write one next to Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>三角測量できるのは名前のある目印だけです。「追加」の横に書いてください。</translation>
   </message>
@@ -5045,6 +4955,26 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>
     <numerusform>{names} ほか {n} 件</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>目印</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>クリックする目印を新しく作ります（Enter）</translation>
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>位置は測量値です。以後この値のままにします（Enter）</translation>
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>この目印を削除します。クリックは注釈に残ります</translation>
   </message>
   <message>
    <source>Title</source>
@@ -5067,7 +4997,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>三角測量中…</translation>
   </message>
   <message>
-   <source>a landmark needs a name: write one beside Add</source>
+   <source>a landmark needs a name: write one next to Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>目印には名前が必要です。「追加」の横に書いてください</translation>
   </message>
@@ -5080,163 +5010,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>目印 {title}</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau に対する JaC</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>フレームごとの JaC</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>スコアはまだありません。バックグラウンドでフレームごとに計算します。</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>{name}（フレーム {n}）</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>このフレームのスコアはありません：注釈がないか、表示中のどのソースにもカメラがありません。</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>フレーム</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>各曲線は、そのソースにカメラのあるフレームの平均です。</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>網掛け：95 % の帯、{drawn}。</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>非表示：ブラインドモードでは提出済みのフレームだけを示し、このグラフには 1 つもありません。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>非表示：ブラインドモードでは、このフレームの提出後にこのグラフを表示します。</translation>
-  </message>
-  <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>ショットは名前で区別しています：{error}。</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>誤差のヒストグラム</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>距離のない {n:,} 点を除外。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>画像上の残差</translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>再投影誤差 (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>点の数</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>最後の棒はそれより大きい誤差のすべてです。</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{px:g} px 以上</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} / {total:,}</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>このフレームに {element} の点はありません。</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{element} の点はまだありません。</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>このフレームには、表示中のソースが投影する注釈点がありません。</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>表示中のソースが投影する注釈点はまだありません。</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>矢印の拡大</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>矢印を実際の何倍の長さで描くか</translation>
-  </message>
-  <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>自動</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>矢印は実際の {factor} 倍の長さ：クリックから投影へ。</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>矢印は実際の {factor} 倍の長さ：5 点以上ある画像の各区画の残差の中央値。</translation>
-  </message>
-  <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>点がまだ足りません：画像の 1 区画に 5 点で矢印になります。</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
@@ -5279,9 +5052,176 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{frames}、採点済みの分まで</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>非表示：ブラインドモードでは提出済みのフレームだけを示し、このグラフには 1 つもありません。</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>非表示：ブラインドモードでは、このフレームの提出後にこのグラフを表示します。</translation>
+  </message>
+  <message>
    <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
    <translation>ソース：{names}</translation>
+  </message>
+  <message>
+   <source>Shots are recognized by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>ショットは名前で区別しています：{error}。</translation>
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau に対する JaC</translation>
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>フレームごとの JaC</translation>
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>スコアはまだありません。バックグラウンドでフレームごとに計算します。</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>誤差のヒストグラム</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>
+    <numerusform>距離のない {n:,} 点を除外。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>画像上の残差</translation>
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name}（フレーム {n}）</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>このフレームのスコアはありません：注釈がないか、表示中のどのソースにもカメラがありません。</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>矢印を実際の何倍の長さで描くか</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>矢印の拡大</translation>
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau (px)</translation>
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>フレーム</translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>再投影誤差 (px)</translation>
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>点の数</translation>
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>最後の棒はそれより大きい誤差のすべてです。</translation>
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{px:g} px 以上</translation>
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} {part:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>このフレームに {element} の点はありません。</translation>
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{element} の点はまだありません。</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>このフレームには、表示中のソースが投影する注釈点がありません。</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>表示中のソースが投影する注釈点はまだありません。</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>自動</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>矢印は実際の {factor} 倍の長さ：クリックから投影へ。</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>矢印は実際の {factor} 倍の長さ：5 点以上ある画像の各区画の残差の中央値。</translation>
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>各曲線は、そのソースにカメラのあるフレームの平均です。</translation>
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>網掛け：95 % の帯、{drawn}。</translation>
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>点がまだ足りません：画像の 1 区画に 5 点で矢印になります。</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>グラフとその数値をコピーまたは保存します</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>1 つの要素の点だけをグラフにします</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
@@ -5299,41 +5239,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>保存</translation>
   </message>
   <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>グラフとその数値をコピーまたは保存します</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>グラフをコピーまたは保存</translation>
-  </message>
-  <message>
    <source>Plot</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>グラフ</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>表示中のフレーム、またはこれまでに採点した全フレームをグラフにします</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>1 つの要素の点だけをグラフにします</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>画像のフォルダーを開くとグラフが見られます。</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>評価するカメラがありません。
-カメラを読み込むと、クリックとどれだけ合うかが分かります。</translation>
   </message>
   <message>
    <source>This plot could not be computed: {error}.</source>
@@ -5344,6 +5252,11 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>({n:,} committed)</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>（提出済み {n:,}）</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>グラフをコピーまたは保存</translation>
   </message>
   <message>
    <source>Copy picture</source>
@@ -5366,6 +5279,11 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>数値を保存…</translation>
   </message>
   <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>表示中のフレーム、またはこれまでに採点した全フレームをグラフにします</translation>
+  </message>
+  <message>
    <source>Computing…</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>計算中…</translation>
@@ -5381,7 +5299,7 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>（スコアなし）</translation>
   </message>
   <message>
-   <source>Nobody has edited this frame here</source>
+   <source>This frame has not been edited here</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>ここではまだ誰も編集していません</translation>
   </message>
@@ -5421,34 +5339,9 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>{seconds} 秒</translation>
   </message>
   <message>
-   <source>Committed in blind mode by {author}</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{author} がブラインドモードで提出</translation>
-  </message>
-  <message>
-   <source>{minutes}:{seconds:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{minutes}:{seconds:02d} 分</translation>
-  </message>
-  <message>
-   <source>Time worked on this frame; pauses over 30 s do not count</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>このフレームの作業時間。30 秒を超える休止は数えません</translation>
-  </message>
-  <message>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>このフレームの点の由来</translation>
-  </message>
-  <message>
-   <source>Comments</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>コメント</translation>
-  </message>
-  <message>
-   <source>No comments on this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>このフレームにコメントはありません。</translation>
   </message>
   <message>
    <source>Comment on this frame</source>
@@ -5461,9 +5354,29 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>スレッドにコメントを加えます（Enter）</translation>
   </message>
   <message>
-   <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>まず画像のフォルダーを開いてください。</translation>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{author} がブラインドモードで提出</translation>
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{minutes}:{seconds:02d} 分</translation>
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>このフレームにコメントはありません。</translation>
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>このフレームの作業時間。30 秒を超える休止は数えません</translation>
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>コメント</translation>
   </message>
   <message>
    <source>Points: {kinds}</source>
@@ -5591,9 +5504,9 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>このフレームではカメラもクリックも正しい</translation>
   </message>
   <message>
-   <source>Scores by element</source>
+   <source>What causes the score of this frame; saved with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>要素ごとのスコア</translation>
+   <translation>このフレームのスコアが低いのはどちらのせいか。データセットに保存されます</translation>
   </message>
   <message>
    <source>Precision</source>
@@ -5641,14 +5554,19 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>点：{kinds}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>誤り</translation>
+   <translation>{verdict}。もう一度で取り消し（{key}）</translation>
   </message>
   <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>このフレームのスコアが低いのはどちらのせいか。データセットに保存されます</translation>
+   <translation>判定：{verdict}</translation>
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>要素ごとのスコア</translation>
   </message>
   <message>
    <source>Copy this explanation</source>
@@ -5659,11 +5577,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>Copy all explanations</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>すべての説明をコピー</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>画像のフォルダーを開くとスコアが見られます。</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -5683,14 +5596,14 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>評価する当てはめがありません：{why}。</translation>
   </message>
   <message>
-   <source>Verdict: {verdict}</source>
+   <source>Counts as {class_name}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>判定：{verdict}</translation>
+   <translation>{class_name} として数える</translation>
   </message>
   <message>
-   <source>{verdict}; once more takes it back ({key})</source>
+   <source>Fault</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>{verdict}。もう一度で取り消し（{key}）</translation>
+   <translation>誤り</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5706,11 +5619,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>Annotated elements that the camera does not project</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>注釈されたがカメラが投影しない要素</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>{class_name} として数える</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -5797,49 +5705,34 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>注釈</translation>
   </message>
   <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>ブラインド：このフレームを提出するまでカメラは非表示です（Ctrl+Enter）</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>まずカメラを読み込んでください：採点するものがありません</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>まず画像のフォルダーを開いてください</translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>自動当てはめはオフです（Ctrl+T）</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>{text}。</translation>
+  </message>
+  <message>
    <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
    <translation>予期しないエラー ({what})</translation>
-  </message>
-  <message>
-   <source>{who} unlocked this dataset from blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} が {day} にこのデータセットのブラインドモード固定を解除しました</translation>
-  </message>
-  <message>
-   <source>{reason}: there is no live fit in it</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}：自動当てはめはありません</translation>
-  </message>
-  <message>
-   <source>Somebody</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>誰か</translation>
-  </message>
-  <message>
-   <source>{who} locked this dataset to blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} が {day} にこのデータセットをブラインドモードに固定しました</translation>
-  </message>
-  <message>
-   <source>This dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>このデータセットはブラインドモードに固定されています</translation>
-  </message>
-  <message>
-   <source>{reason}: menu Frame unlocks it, which is recorded</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}：フレームメニューで解除できます（記録されます）</translation>
-  </message>
-  <message>
-   <source>this dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>このデータセットはブラインドモードに固定されています</translation>
-  </message>
-  <message>
-   <source>this dataset is not locked to blind mode any more</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>このデータセットのブラインドモードの固定は解除されました</translation>
   </message>
   <message>
    <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
@@ -6007,11 +5900,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>このフレームでは 2 つのカメラが同じです。</translation>
   </message>
   <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>ブラインド：このフレームを提出するまで非表示です。</translation>
-  </message>
-  <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>評価するソースがありません。まず 1 つ選んでください。</translation>
@@ -6025,11 +5913,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>The fitted camera sees no part of the field.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>当てはめたカメラにはフィールドが写っていません。</translation>
-  </message>
-  <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>自動当てはめがオフのため、不確かさの地図はありません（Ctrl+T でオン）。</translation>
   </message>
   <message>
    <source>There is no fit of this frame, so no uncertainty map.</source>
@@ -6072,38 +5955,28 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>ここのクラスにこれ以上合うフィールドはありません</translation>
   </message>
   <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>これより後のフレームはすべて注釈済みです</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>これより前のフレームはすべて注釈済みです</translation>
-  </message>
-  <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>{folder} に書き込めません：ここでの注釈は保存できません</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>まだすべては保存されていません：別のデータセットは開きませんでした</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>まだすべては保存されていません：動画は開きませんでした</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>何も開いていません</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>このデータセットのフィールド：{field}</translation>
   </message>
   <message>
@@ -6112,14 +5985,14 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>{title}：線を探せませんでした：{why}</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
-   <translation>自動当てはめはオフです</translation>
-  </message>
-  <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
    <translation>当てはめに失敗しました：{why}</translation>
+  </message>
+  <message>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} が {day} にこのデータセットのブラインドモード固定を解除しました</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -6130,6 +6003,26 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>自分だけに有効：データセットのフォルダーに書き込めません</translation>
+  </message>
+  <message>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}：自動当てはめはありません</translation>
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>このデータセットはブラインドモードに固定されています</translation>
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>誰か</translation>
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} が {day} にこのデータセットをブラインドモードに固定しました</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
@@ -6147,14 +6040,29 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>このウィンドウだけ：何も書き込めません</translation>
   </message>
   <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
-   <translation>{path}：カメラがありません（{what_to_do}）</translation>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>このデータセットのブラインドモードの固定は解除されました</translation>
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}：フレームメニューで解除できます（記録されます）</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>このデータセットはブラインドモードに固定されています</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
    <translation>{path}：フレームの名前を持つカメラがありません（カメラは {camera!r}、フレームは {frame!r} のような名前です）</translation>
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
+   <translation>{path}：カメラがありません（{what_to_do}）</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -6194,61 +6102,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>注釈を読めません</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title} のゴースト</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>採用</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>拡大して見る</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
-   <translation>ここでは見えない</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title} を描画中</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>ここで分割：残りのクラス</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>ここでは見えない：取り消す</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>クラスを変更（注釈済みなら入れ替え）</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title} の点 {number}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>統合先</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title}（未確定）</translation>
-  </message>
-  <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Enter で実行 · ↑ ↓ で選択 · Esc で閉じる</translation>
@@ -6269,16 +6122,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>開く</translation>
   </message>
   <message>
-   <source>Nothing is called “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>「{text}」という名前のものはありません。</translation>
-  </message>
-  <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>フレーム {number} / {count}</translation>
-  </message>
-  <message>
    <source>An action, element, frame, camera source, folder, number</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>操作、要素、フレーム、カメラソース、フォルダー、数値</translation>
@@ -6289,14 +6132,34 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>何でも探す</translation>
   </message>
   <message>
-   <source>What fits</source>
+   <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>一致するもの</translation>
+   <translation>「{text}」という名前のものはありません。</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>しきい値 {px:g} px</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>フレーム {number} / {count}</translation>
   </message>
   <message>
    <source>Go to this frame</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>このフレームへ移る</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>この tau で要素を評価します</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>一致するもの</translation>
   </message>
   <message>
    <source>Judge {source}</source>
@@ -6329,24 +6192,29 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>このパネルを開いて手前に出します</translation>
   </message>
   <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>しきい値 {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>この tau で要素を評価します</translation>
-  </message>
-  <message>
    <source>on</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>オン</translation>
   </message>
   <message>
    <source>off</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>オフ</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action guide]</extracomment>
+   <translation>ユーザーガイド</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>このページ内を検索</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>ユーザーガイドは英語です。</translation>
   </message>
   <message>
    <source>this installation came without its user guide</source>
@@ -6366,6 +6234,11 @@ Annotate and audit sports-camera calibrations.</source>
 ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</translation>
   </message>
   <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>見出し</translation>
+  </message>
+  <message>
    <source>no cameras are loaded (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
    <translation>カメラが読み込まれていません（Ctrl+L）</translation>
@@ -6381,26 +6254,6 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>比較するには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
   </message>
   <message>
-   <source>Find words in this page</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>このページ内を検索</translation>
-  </message>
-  <message>
-   <source>The user guide is in English.</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>ユーザーガイドは英語です。</translation>
-  </message>
-  <message>
-   <source>User guide</source>
-   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
-   <translation>ユーザーガイド</translation>
-  </message>
-  <message>
-   <source>Headings</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>見出し</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>自分のキー</translation>
@@ -6411,11 +6264,6 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>キー (*.json)</translation>
   </message>
   <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>画像で</translation>
-  </message>
-  <message>
    <source>{menu}: {action}</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}：{action}</translation>
@@ -6424,6 +6272,16 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <source>Search: a word, or a key. A click does what a row says.</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>検索：単語またはキー。行をクリックすると実行します。</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>画像で</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>「{text}」を含むキー、操作、要素はありません。</translation>
   </message>
   <message>
    <source>Search: a word, or a key</source>
@@ -6446,29 +6304,9 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>キー一覧</translation>
   </message>
   <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>キーを検索</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>「{text}」を含むキー、操作、要素はありません。</translation>
-  </message>
-  <message>
    <source>Change keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>キーを変更</translation>
-  </message>
-  <message>
-   <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>検索</translation>
-  </message>
-  <message>
-   <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>すべてのキーをまとめて</translation>
   </message>
   <message>
    <source>Only these</source>
@@ -6506,14 +6344,24 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>キーを取り込む</translation>
   </message>
   <message>
-   <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>⚠ 重複：{what}</translation>
-  </message>
-  <message>
    <source>New keys: press them here</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>新しいキー：ここで押す</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>キーを検索</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>検索</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>すべてのキーをまとめて</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
@@ -6526,69 +6374,79 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>操作または要素</translation>
   </message>
   <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>⚠ 重複：{what}</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>クラスを変更（注釈済みなら入れ替え）</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title} を描画中</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>ここで分割：残りのクラス</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title} のゴースト</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>採用</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>拡大して見る</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/menus.py, the action not_visible]</extracomment>
+   <translation>ここでは見えない</translation>
+  </message>
+  <message>
    <source>{action}: {step}</source>
    <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{action}：{step}</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>予期しないエラー ({what})。保存は続きます。詳細は {path} にあります</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title} の点 {number}</translation>
   </message>
   <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>詳細をコピーしました。{path} にもあります</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>ここでは見えない：取り消す</translation>
   </message>
   <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>予期しないエラーはありませんでした。記録先は {path} です</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>統合先</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>編集できません。理由は画像の上のバーにあります</translation>
-  </message>
-  <message>
-   <source>Search the settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>設定を検索</translation>
-  </message>
-  <message>
-   <source>{setting}: back to {value}</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>{setting}：{value} に戻す</translation>
-  </message>
-  <message>
-   <source>Settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>設定</translation>
-  </message>
-  <message>
-   <source>All to their defaults</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>すべて既定値に</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
-   <translation>キーを変更…</translation>
-  </message>
-  <message>
-   <source>No setting has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>「{text}」を含む設定はありません。</translation>
-  </message>
-  <message>
-   <source>none of your own</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>指定なし</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title}（未確定）</translation>
   </message>
   <message>
    <source>ground ±{metres:.2f} m</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>地面 ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>予期しないエラー ({what})。保存は続きます。詳細は {path} にあります</translation>
   </message>
   <message>
    <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
@@ -6640,9 +6498,24 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>Esc で終わります</translation>
   </message>
   <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>ツールバー</translation>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>このフレームは編集できません。{problem}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>詳細をコピーしました。{path} にもあります</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>予期しないエラーはありませんでした。記録先は {path} です</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>編集できません。理由は画像の上のバーにあります</translation>
   </message>
   <message>
    <source>Picture
@@ -6650,6 +6523,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
    <translation>画像
 明るさ、コントラスト、ガンマ、線の強調：見え方だけが変わります</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>ツールバー</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -6662,19 +6540,24 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>しきい値 tau：すべての点がこれより近ければ要素は合格（+ と -）</translation>
   </message>
   <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>保存 {time}</translation>
-  </message>
-  <message>
    <source>The camera set that is judged (C switches)</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>評価されるカメラのセット（C で切り替え）</translation>
   </message>
   <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>このフレームの状態（レビューパネル）</translation>
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>スコアの計算条件：{terms}</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>保存 {time}</translation>
   </message>
   <message numerus="yes">
    <source>NOT SAVED: {n} frames</source>
@@ -6689,11 +6572,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>上部バー</translation>
   </message>
   <message>
-   <source>Status of this frame (panel Review)</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>このフレームの状態（レビューパネル）</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>フィールド：{field}</translation>
@@ -6704,19 +6582,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>クリックで別のものを選択</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>しきい値 tau</translation>
-  </message>
-  <message>
    <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>当てはめの &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6724,9 +6592,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>保存中...</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;ブラインド&lt;/b&gt;：提出すると JaC が見えます</translation>
+   <translation>しきい値 tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>当てはめの &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6734,12 +6607,17 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>変更なし</translation>
   </message>
   <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;ブラインド&lt;/b&gt;：提出すると JaC が見えます</translation>
+  </message>
+  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>画像のフォルダーをここにドロップ</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>注釈は画像の横の SoccerNet JSON から読み込み、そこに保存します。後でカメラのフォルダーをドロップすると、クリックと照らして評価します。</translation>
   </message>
@@ -6777,6 +6655,41 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Nothing was opened yet</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>まだ何も開いていません</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>{setting}：{value} に戻す</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>「{text}」を含む設定はありません。</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>設定</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>設定を検索</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>すべて既定値に</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>指定なし</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py, the action keymap]</extracomment>
+   <translation>キーを変更…</translation>
   </message>
   <message>
    <source>Scores</source>
@@ -7182,7 +7095,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>クリックは働きません：編集する点がありません。まず要素を描いてください</translation>
   </message>
   <message>
-   <source>click a point to drag it, beside it to let go</source>
+   <source>click a point to drag it, next to it to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点をクリックしてドラッグ、横をクリックで解除</translation>
   </message>
@@ -7251,7 +7164,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>クリックで印を付ける</translation>
   </message>
   <message>
-   <source>hold Ctrl to click beside the line</source>
+   <source>hold Ctrl to click off the line</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Ctrl を押すと線の横をクリック</translation>
   </message>
@@ -7448,7 +7361,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>2 人目の注釈を開く…</translation>
   </message>
   <message>
-   <source>Draw and compare what somebody else clicked in the same frames</source>
+   <source>Draw and compare what another annotator clicked in the same frames</source>
    <extracomment>[the action open_second]</extracomment>
    <translation>同じフレームで別の人がクリックした結果を描いて比較します</translation>
   </message>
@@ -7903,7 +7816,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>次の注釈なし</translation>
   </message>
   <message>
-   <source>Go on to the next frame where nothing is annotated</source>
+   <source>Go to the next frame without annotations</source>
    <extracomment>[the action next_unannotated]</extracomment>
    <translation>何も注釈されていない次のフレームへ進みます</translation>
   </message>
@@ -7913,7 +7826,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>前の注釈なし</translation>
   </message>
   <message>
-   <source>Go back to the frame before where nothing is annotated</source>
+   <source>Go to the previous frame without annotations</source>
    <extracomment>[the action previous_unannotated]</extracomment>
    <translation>何も注釈されていない前のフレームへ戻ります</translation>
   </message>
@@ -8018,7 +7931,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>次の疑わしいフレーム</translation>
   </message>
   <message>
-   <source>Go on to the next frame whose track should be looked at</source>
+   <source>Go to the next frame whose track should be checked</source>
    <extracomment>[the action next_doubtful]</extracomment>
    <translation>追跡を確認すべき次のフレームへ進みます</translation>
   </message>
@@ -8148,7 +8061,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>この動画フレームを残す</translation>
   </message>
   <message>
-   <source>Write the frame of the video as a picture beside its annotation</source>
+   <source>Write the frame of the video as a picture next to its annotation</source>
    <extracomment>[the action keep_frame]</extracomment>
    <translation>動画のフレームを注釈と並べて画像として書き出します</translation>
   </message>
@@ -8178,7 +8091,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>未確定の要素を捨てる</translation>
   </message>
   <message>
-   <source>Throw away what was copied and nobody touched</source>
+   <source>Remove copied elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
    <translation>コピーされたまま触れられていないものを捨てます</translation>
   </message>
@@ -8343,7 +8256,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>線に吸着</translation>
   </message>
   <message>
-   <source>Clicks near a painted line go to its centre (hold Ctrl to click beside it)</source>
+   <source>Clicks near a painted line go to its centre (hold Ctrl to click off it)</source>
    <extracomment>[the action snapping, the setting snapping]</extracomment>
    <translation>塗られた線の近くのクリックはその中心に移ります（Ctrl を押すと線の横をクリック）</translation>
   </message>
@@ -8613,7 +8526,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>塗りの幅</translation>
   </message>
   <message>
-   <source>Draw how wide the paint of the field's lines must appear, beside the projection</source>
+   <source>Draw how wide the field's lines must appear, along the projection</source>
    <extracomment>[the action painted_width, the setting painted_width]</extracomment>
    <translation>フィールドの線がどれだけの幅に見えるはずかを投影のそばに描きます</translation>
   </message>
@@ -8663,9 +8576,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>フレームの帯</translation>
   </message>
   <message>
-   <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
+   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>画像の下：動画や連続するフレームではカメラの良し悪しと注釈の場所、それ以外では状態付きの小さな画像</translation>
+   <translation>画像の下：動画や連続するフレームではカメラの良し悪しと注釈の場所</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
@@ -8808,7 +8721,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ほかのソースを描く</translation>
   </message>
   <message>
-   <source>Draw the sources ticked in the Cameras panel as wireframes beside the active one</source>
+   <source>Draw the sources ticked in the Cameras panel as wireframes, with the active one</source>
    <extracomment>[the action others]</extracomment>
    <translation>カメラパネルで印を付けたソースを使用中のソースの横にワイヤーフレームで描きます</translation>
   </message>

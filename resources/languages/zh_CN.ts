@@ -764,7 +764,7 @@
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>已撤回</translation>
   </message>
   <message>
@@ -819,7 +819,7 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>帧</translation>
   </message>
   <message>
@@ -829,7 +829,7 @@
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/field/view_grouping.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/commands/view_grouping.py, the menus]</extracomment>
    <translation>视图</translation>
   </message>
   <message>
@@ -856,11 +856,6 @@
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
    <translation>已撤回：相机恢复到拖动之前</translation>
-  </message>
-  <message>
-   <source>blind mode: no camera is shown</source>
-   <extracomment>[procc_annotator/gui/canvas/camera_drag.py]</extracomment>
-   <translation>盲标模式：不显示相机</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
@@ -1216,1239 +1211,1237 @@
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>没有变化：已经规整，或该处未找到画线</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已从 {frame} 复制 {what}，沿跟踪结果；Shift+V 全部确认</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已从 {frame} 复制 {what}，随相机移动；Shift+V 全部确认</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已从 {frame} 原样复制 {what}：未找到运动；Shift+V 全部确认</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已撤回：不规整任何内容</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已撤回：不复制任何内容</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已离开该帧：未规整任何内容</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>已离开该帧：未复制任何内容</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
-   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>{n} 个点未得到画线证实</numerusform>
    </translation>
   </message>
   <message>
    <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>规整 {what}</translation>
   </message>
   <message>
    <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>从 {frame} 复制</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>请先选择已标注的元素</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/versions.py]</extracomment>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/versions.py]</extracomment>
    <translation>
     <numerusform>{n} 个元素</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>
     <numerusform>已规整 {what}：{n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{element} 有拐角或只是单个位置：保持不变</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>此处没有标注场地的元素</translation>
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py, procc_annotator/gui/commands/shot/walking.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>本帧之前没有已标注的帧</translation>
   </message>
   <message>
    <source>{frame} has no element that is missing here</source>
-   <extracomment>[procc_annotator/gui/commands/elements/assistant.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} 没有此处缺少的元素</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} 变为 {other}</translation>
   </message>
   <message>
-   <source>swap {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
-   <translation>互换 {element} 和 {other}</translation>
-  </message>
-  <message>
    <source>duplicate {element} as {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>将 {element} 复制为 {other}</translation>
   </message>
   <message>
    <source>merge {element} into {other}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>将 {element} 并入 {other}</translation>
   </message>
   <message>
    <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>闭合间隙</translation>
   </message>
   <message numerus="yes">
    <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>确认 {n} 个元素</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>丢弃 {n} 个未确认的元素</numerusform>
    </translation>
   </message>
   <message>
    <source>Name of the line</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>线的名称</translation>
   </message>
   <message>
    <source>What is this line?</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>这是哪条线？</translation>
   </message>
   <message>
    <source>{element} is a curve, which two points do not show: click on</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} 是曲线，两个点无法表示：请继续点击</translation>
   </message>
   <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation>互换 {element} 和 {other}</translation>
+  </message>
+  <message>
    <source>{element} is its own symmetric element</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} 的对称类别就是它自己</translation>
   </message>
   <message numerus="yes">
    <source>{elements} are annotated already</source>
-   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>{elements} 已标注</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} 位于 {other} 处：请将其拖到位</translation>
   </message>
   <message>
    <source>reverse {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>反转 {element}</translation>
   </message>
   <message>
    <source>choose the point to split at first (edit mode)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>请先选择分割处的点（编辑模式）</translation>
   </message>
   <message>
    <source>split {element}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>分割 {element}</translation>
   </message>
   <message numerus="yes">
    <source>confirmed {n} elements</source>
-   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>已确认 {n} 个元素</numerusform>
    </translation>
   </message>
   <message>
    <source>nothing is unconfirmed on this frame</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>本帧没有未确认的内容</translation>
   </message>
   <message>
    <source>{element} is annotated already</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} 已经标注</translation>
   </message>
   <message>
    <source>no end is that near to a corner or the picture's edge</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>没有端点那么靠近角点或图片边缘</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
-   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>
     <numerusform>已丢弃 {n} 个未确认的元素</numerusform>
    </translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>不命名</translation>
   </message>
   <message>
    <source>an element is split at a point between its ends, into a class that is free</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>元素须在两端之间的点处分割，分成一个空闲的类别</translation>
   </message>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/element_edits.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>{element} 已在别处更改：请再看一遍</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/elements/ghost_accepting.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{accepted}: {points}, line seen along {share:.0%}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted}：{points}，{share:.0%} 的线可见</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
-   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{elements} 有 {n} 个端点不可见：点在此之前结束</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the camera is another one meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>相机此时已不同</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>接受 {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个虚影</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{total} 个虚影中的 {n} 个</translation>
-  </message>
-  <message>
-   <source>accepted {what}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>已接受 {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>有 {n} 个端点不可见：点在此之前结束</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>the frame was edited meanwhile</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>该帧此时已被编辑</translation>
-  </message>
-  <message>
-   <source>looking for the line on {frame} took too long</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>在 {frame} 上寻找线用时过长</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受 {element}：{why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>接受所有虚影</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>虚影的线要有多少可见，才能与其他所有一并接受（%）：</translation>
-  </message>
-  <message>
-   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>{element}：沿线未找到画线；请手动点击，或标明此处不可见（.）</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: accept its ghosts in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>正在拟合相机：请稍后接受其虚影</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
-  </message>
-  <message>
-   <source>accepted {what} on {frame}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>已在 {frame} 上接受 {what}</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: there is no picture to look for their lines in</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影：没有图片可寻找其线</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影：{why}</translation>
-  </message>
-  <message>
-   <source>{element} is not accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受 {element}</translation>
-  </message>
-  <message>
-   <source>the ghost is accepted: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>虚影已接受：请接受新拟合的虚影</translation>
-  </message>
-  <message>
-   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>正在绘制的内容已完成：请接受新拟合的虚影</translation>
-  </message>
-  <message>
-   <source>no ghost was accepted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影</translation>
-  </message>
-  <message>
-   <source>{element} is accepted once its points are found</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghost_accepting.py]</extracomment>
-   <translation>找到其点后即接受 {element}</translation>
-  </message>
-  <message>
-   <source>go to a ghost (Tab) or choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>请先转到虚影（Tab）或选择元素</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>那是第一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>在此图片中未找到相机：请绘制三四个元素，或跟踪镜头（T）</translation>
-  </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>那是最后一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py, procc_annotator/gui/commands/review/versions.py, procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>请先打开图片文件夹</translation>
-  </message>
-  <message>
-   <source>the camera is being fitted: ghosts come in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>正在拟合相机：虚影马上就来</translation>
-  </message>
-  <message>
-   <source>no ghosts: the camera is looked for in the picture</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：正在图片中寻找相机</translation>
-  </message>
-  <message>
-   <source>no ghosts: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：{why}</translation>
-  </message>
-  <message>
-   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：其余可见内容已标注，或还不够确定</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：标注三四个元素即可得出相机</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>在此图片中未找到相机：请绘制三四个元素</translation>
-  </message>
-  <message>
-   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>盲标模式下没有虚影，直到提交本帧（Ctrl+回车）</translation>
-  </message>
-  <message>
-   <source>no ghosts: the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：实时拟合已关闭（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：已关闭（元素 &gt; 虚影 &gt; 显示虚影）</translation>
-  </message>
-  <message>
-   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>叠加层已隐藏：看不到虚影（Ctrl+H，或松开 X）</translation>
-  </message>
-  <message>
-   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>请先完成正在绘制的内容（回车），或取消（Esc）</translation>
-  </message>
-  <message>
-   <source>no ghosts: no camera could be fitted</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>没有虚影：无法拟合相机</translation>
-  </message>
-  <message>
-   <source>no camera fits yet</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>尚无合适的相机</translation>
-  </message>
-  <message>
-   <source>it is being drawn by hand</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>正在手动绘制</translation>
-  </message>
-  <message>
-   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} 在此已标注：请先删除（Ctrl+Delete）</translation>
-  </message>
-  <message>
-   <source>{title} is not visible here; Ctrl+. takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} 在此不可见；Ctrl+. 撤回</translation>
-  </message>
-  <message>
-   <source>{title} may be visible here again</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{title} 在此可能又可见</translation>
-  </message>
-  <message>
-   <source>no element of this frame was said to be not visible</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>本帧没有被标为不可见的元素</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>那是最后一个虚影</translation>
-  </message>
-  <message>
-   <source>go to a ghost first (Tab)</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>请先转到虚影（Tab）</translation>
-  </message>
-  <message>
-   <source>{off}; choose an element first</source>
-   <extracomment>[procc_annotator/gui/commands/elements/ghosts.py]</extracomment>
-   <translation>{off}；请先选择元素</translation>
-  </message>
-  <message>
-   <source>Keep the field, and say nothing more of these classes</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>保留场地，不再提及这些类别</translation>
-  </message>
-  <message>
-   <source>The dataset remembers it, and is not asked about again</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>数据集会记住，不再询问</translation>
-  </message>
-  <message>
-   <source>No, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>否，{field}</translation>
-  </message>
-  <message>
-   <source>The field of this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>此数据集的场地</translation>
-  </message>
-  <message>
-   <source>Descriptions of fields (*.toml)</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>场地描述 (*.toml)</translation>
-  </message>
-  <message>
-   <source>Is this {field}? The classes annotated here are those of {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>这是{field}吗？此处标注的类别属于{field}</translation>
-  </message>
-  <message>
-   <source>{why}, but {file} in the dataset's folder decides</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{why}，但以数据集文件夹中的 {file} 为准</translation>
-  </message>
-  <message>
-   <source>Yes, {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>是，{field}</translation>
-  </message>
-  <message>
-   <source>Switch to {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>切换到{field}</translation>
-  </message>
-  <message>
-   <source>{problem}; the field stays as it was: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_choosing.py]</extracomment>
-   <translation>{problem}；场地保持不变：{field}</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>这样得分会不同于官方评测所用的标称场地（{nominal}）；得分会注明计算所用的尺寸。</translation>
-  </message>
-  <message>
-   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>各自的尺寸（stadiums.csv）：{stadiums}的{frames}。此处输入的值用于其他所有帧，以及体育场未指定的部分。</translation>
-  </message>
-  <message>
-   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>这样得分会不同于按规则测量处取线的官方评测；得分会注明。</translation>
-  </message>
-  <message>
-   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>规则中许多线以画线的边缘为准。而点击在画线中间，相差半个线宽：在重要之处请选择它，如室内场馆和靠近相机时。</translation>
-  </message>
-  <message>
-   <source>Only length and width are found from frames, and the rules fix those of this field</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>由帧只能求出长和宽，而规则已固定此场地的长和宽</translation>
-  </message>
-  <message numerus="yes">
-   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
-   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m，由 {n} 帧得出。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>where the rules measure</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>按规则测量处</translation>
-  </message>
-  <message>
-   <source>the middle of the paint</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>画线的中间</translation>
-  </message>
-  <message numerus="yes">
-   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
-   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>由 {n} 帧的相机得出；± 为一个标准差。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{remark}; it stays as it was.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>{remark}；保持不变。</translation>
-  </message>
-  <message>
-   <source>Field dimensions: {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>场地尺寸：{field}</translation>
-  </message>
-  <message>
-   <source>Estimate from this set</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>由此数据集估计</translation>
-  </message>
-  <message>
-   <source>Keep for this dataset</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>为此数据集保留</translation>
-  </message>
-  <message>
-   <source>Nominal</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>标称</translation>
-  </message>
-  <message>
-   <source>The field as official evaluations take it</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>官方评测所用的场地</translation>
-  </message>
-  <message>
-   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>标称 {nominal:g} m，规则允许 {minimum:g} 至 {maximum:g} m</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>&lt;b&gt;不可为 {number:g} m：规则允许 {minimum:g} 至 {maximum:g} m&lt;/b&gt;</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames</source>
-   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} 帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} stadiums</source>
-   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个体育场</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Blind: frames that are not committed took no part ({n}).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>盲标：未提交的帧没有参与（{n}）。</translation>
-  </message>
-  <message>
-   <source>Frames that cannot be read took no part: {n}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>无法读取的帧没有参与：{n}。</translation>
-  </message>
-  <message>
-   <source>Clicks lie on:</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>点击位于：</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py, procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>停止</translation>
-  </message>
-  <message>
-   <source>the rules fix every dimension of the field {field}</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>规则固定了场地{field}的所有尺寸</translation>
-  </message>
-  <message>
-   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/commands/field/field_dimensions.py]</extracomment>
-   <translation>盲标：提交数据集的一帧后才会查看（Ctrl+回车）。</translation>
-  </message>
-  <message>
-   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>不同相机拍摄同一瞬间的帧为一组。由名称按模式判断：&lt;b&gt;{instant}&lt;/b&gt; 表示帧的拍摄时刻，&lt;b&gt;{view}&lt;/b&gt; 表示相机，其余字符表示其本身。也可用含 &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; 和 &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; 的正则表达式。</translation>
-  </message>
-  <message>
-   <source>No pattern was found that fits these names: write one.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>未找到符合这些名称的模式：请写一个。</translation>
-  </message>
-  <message>
-   <source>What it says now is lost, with everything else that is written in it.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>其现有内容及所写的其他一切都会丢失。</translation>
-  </message>
-  <message>
-   <source>Instant</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>瞬间</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames</source>
-   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/field/view_grouping.py, procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups of {least} to {most}</source>
-   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames}分为 {n:,} 组，每组 {least} 至 {most} 帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} of {n:,} instants</source>
-   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个瞬间的{frames}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} frames, none grouped.</source>
-   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 帧，均未分组。</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{frames} in {n:,} groups</source>
-   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{frames}分为 {n:,} 组</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>帧的分组</translation>
-  </message>
-  <message>
-   <source>{file} is there already: {sizes}.</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} 已存在：{sizes}。</translation>
-  </message>
-  <message>
-   <source>{file} groups {sizes} from now on</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>{file} 从现在起将{sizes}分组</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} instants with one frame only</source>
-   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个瞬间只有一帧</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} names do not fit (last in the table)</source>
-   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个名称不符合（在表格末尾）</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>此名称不符合模式：该帧单独存在</translation>
-  </message>
-  <message>
-   <source>Group views</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>视图分组</translation>
-  </message>
-  <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>帧名的模式</translation>
-  </message>
-  <message>
-   <source>Write {file}</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>写出 {file}</translation>
-  </message>
-  <message>
-   <source>Keep these groups in the dataset's folder</source>
-   <extracomment>[procc_annotator/gui/commands/field/view_grouping.py]</extracomment>
-   <translation>将这些分组保存在数据集的文件夹中</translation>
-  </message>
-  <message>
    <source>? (stays as it is, an unknown class)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>?（保持不变，未知类别）</translation>
   </message>
   <message>
    <source>Leave out</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, the action off_plane_left_out, the setting off_plane]</extracomment>
    <translation>排除</translation>
   </message>
   <message>
    <source>Label</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>标签</translation>
   </message>
   <message>
    <source>Shapes</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>形状</translation>
   </message>
   <message>
    <source>Stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>代表</translation>
   </message>
   <message>
    <source>Why</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>原因</translation>
   </message>
   <message>
    <source>sure</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>确定</translation>
   </message>
   <message>
    <source>likely</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>可能</translation>
   </message>
   <message>
    <source>to be said</source>
    <comment>a proposal</comment>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>待指定</translation>
   </message>
   <message numerus="yes">
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>
     <numerusform>{n} 个标签不是{field}的类别。请指明其含义；建议由其用词和形状所在的元素得出。</numerusform>
    </translation>
   </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>这些名称更像{field}的名称：请先选择该场地（文件 &gt; 场地）。</translation>
   </message>
   <message>
    <source>Names of another program</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>其他程序的名称</translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>将这些名称保存在数据集中（{file}）</translation>
   </message>
   <message>
    <source>Import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>导入</translation>
   </message>
   <message>
    <source>What {label} stands for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>{label} 代表什么</translation>
   </message>
   <message>
    <source>What came of it</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>结果如何</translation>
   </message>
   <message>
    <source>Import annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>导入标注</translation>
   </message>
   <message>
    <source>Annotations to import</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>要导入的标注</translation>
   </message>
   <message>
    <source>Look into the files</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>查看文件内容</translation>
   </message>
   <message>
-   <source>Only frames where nothing is annotated yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <source>Only frames without annotations</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>仅限尚未标注的帧</translation>
   </message>
   <message>
    <source>Replace what is annotated in the others, too</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>也替换其他帧中的标注</translation>
   </message>
   <message>
    <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>原有内容保留在该帧的早期版本中，撤销可恢复</translation>
   </message>
   <message>
    <source>Annotations</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>标注</translation>
   </message>
   <message>
    <source>Format</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>格式</translation>
   </message>
   <message>
    <source>Import into</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>导入到</translation>
   </message>
   <message>
-   <source>Frames are matched by the name of their picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
-   <translation>按图片名称匹配帧。</translation>
-  </message>
-  <message>
    <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>标注 (*.json *.xml *.zip);;所有文件 (*)</translation>
   </message>
   <message>
    <source>Export as</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>导出为</translation>
   </message>
   <message>
    <source>Export…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>导出…</translation>
   </message>
   <message>
    <source>One zip archive instead of a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>一个 zip 压缩包而非文件夹</translation>
   </message>
   <message>
    <source>Replace files that are there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>替换已有文件</translation>
   </message>
   <message>
    <source>Keep elements that SoccerNet has no class for</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>保留 SoccerNet 没有类别的元素</translation>
   </message>
   <message>
    <source>Width of the lines</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>线宽</translation>
   </message>
   <message>
    <source>Copy the pictures as well</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>同时复制图片</translation>
   </message>
   <message>
    <source>Export to a folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>导出到文件夹</translation>
   </message>
   <message>
    <source>Keeps {holds}.
 Loses {loses}.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>保留{holds}。
 丢失{loses}。</translation>
   </message>
   <message>
    <source>Add these names to the dataset's {file}, written anew</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>将这些名称加入数据集的 {file}（重新写出）</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py, procc_annotator/gui/commands/files/video_opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
    <translation>取消</translation>
   </message>
   <message>
    <source>Close</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>关闭</translation>
   </message>
   <message>
    <source>A folder, a zip archive, or one file</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>文件夹、zip 压缩包或单个文件</translation>
   </message>
   <message>
    <source>File…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>文件…</translation>
   </message>
   <message>
    <source>Folder…</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>文件夹…</translation>
   </message>
   <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
+   <translation>按图片名称匹配帧。</translation>
+  </message>
+  <message>
    <source>Zip archive (*.zip)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exchange_dialogs.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py]</extracomment>
    <translation>Zip 压缩包 (*.zip)</translation>
   </message>
   <message>
    <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>已将{frames}、{elements}和{points}写入 {path}（{format}）。</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} annotations</source>
-   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个标注</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>JaC of {n:,} frames</source>
-   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧的 JaC</numerusform>
    </translation>
   </message>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>未能全部保存：以磁盘上的内容为准。</translation>
   </message>
   <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>未写出任何内容：没有已标注的帧，或均无法写出。</translation>
+  </message>
+  <message>
    <source>the fit of {frame} is saved as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame} 的拟合已保存为 {path}</translation>
   </message>
   <message>
-   <source>no camera to save: the fit is not there yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>没有可保存的相机：拟合尚未就绪</translation>
-  </message>
-  <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{source} 由将用于评分的点击得出：请评判要评分的相机（procc-annotator calibrate 可拟合并评分数据集）</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{annotations}和{scores}</translation>
   </message>
   <message>
    <source>nothing: no frame is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>无：没有已标注的帧</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>导出：已取消；已写出的文件仍在</translation>
   </message>
-  <message>
-   <source>Nothing was written: no frame is annotated, or none could be written.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>未写出任何内容：没有已标注的帧，或均无法写出。</translation>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} elements</source>
-   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/commands/exporting.py, procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个元素</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points</source>
-   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个点</numerusform>
    </translation>
   </message>
   <message>
-   <source>the live fit is off (Ctrl+T)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>实时拟合已关闭（Ctrl+T）</translation>
-  </message>
-  <message>
-   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏拟合（Ctrl+回车）</translation>
-  </message>
-  <message>
-   <source>no camera to save: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>没有可保存的相机：{why}</translation>
-  </message>
-  <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Zip 压缩包 (*.zip);;文件夹 (*)</translation>
   </message>
   <message>
    <source>Table (*.csv);;JSON (*.json)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>表格 (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
    <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>导出总览</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
-   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>已将 {n:,} 帧导出到 {path}</numerusform>
    </translation>
   </message>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>数据集仍在评分：部分帧尚无 JaC</translation>
   </message>
   <message>
-   <source>load cameras first: there is nothing to score</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
-   <translation>请先加载相机：没有可评分的内容</translation>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>没有可保存的相机：拟合尚未就绪</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>盲标：尚未提交任何帧，因此没有可显示的 JaC</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>已将{what}导出到 {path}</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>已取消；已写出的文件仍在。</translation>
   </message>
   <message>
    <source>Not written</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>未写出</translation>
   </message>
   <message>
    <source>What the format cannot hold</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>该格式无法容纳的内容</translation>
   </message>
   <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation>没有可保存的相机：{why}</translation>
+  </message>
+  <message>
    <source>the fit is worked out again: save it in a moment</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>正在重新计算拟合：请稍后保存</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{frame}：图片无法读取，因此相机的像素没有对应的尺寸；未保存</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>已保存为 {path}，但已加载的相机无法重新读取：{problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>{saved}；它难以确定：{why}</translation>
   </message>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>未能全部保存：导出的是最近保存的状态</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
-   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>盲标模式排除 {n:,} 个尚未提交的帧</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} files could not be read: {problem}</source>
-   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个文件无法读取：{problem}</numerusform>
    </translation>
   </message>
   <message>
    <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py, procc_annotator/gui/commands/review/label_check.py, procc_annotator/gui/commands/review/triage.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
    <translation>表格 (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>导出</translation>
   </message>
   <message>
    <source>exporting {done} / {total}</source>
-   <extracomment>[procc_annotator/gui/commands/files/exporting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>正在导出 {done} / {total}</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>保留场地，不再提及这些类别</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>数据集会记住，不再询问</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>否，{field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>此数据集的场地</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>场地描述 (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>这是{field}吗？此处标注的类别属于{field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{why}，但以数据集文件夹中的 {file} 为准</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>是，{field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>切换到{field}</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_choosing.py]</extracomment>
+   <translation>{problem}；场地保持不变：{field}</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>这样得分会不同于官方评测所用的标称场地（{nominal}）；得分会注明计算所用的尺寸。</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>各自的尺寸（stadiums.csv）：{stadiums}的{frames}。此处输入的值用于其他所有帧，以及体育场未指定的部分。</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>这样得分会不同于按规则测量处取线的官方评测；得分会注明。</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>规则中许多线以画线的边缘为准。而点击在画线中间，相差半个线宽：在重要之处请选择它，如室内场馆和靠近相机时。</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>由帧只能求出长和宽，而规则已固定此场地的长和宽</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}：{value:.2f} ± {sd:.2f} m，由 {n} 帧得出。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>按规则测量处</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>画线的中间</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>场地尺寸：{field}</translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>由 {n} 帧的相机得出；± 为一个标准差。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>{remark}；保持不变。</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>由此数据集估计</translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>点击位于：</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>为此数据集保留</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>标称</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>官方评测所用的场地</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>标称 {nominal:g} m，规则允许 {minimum:g} 至 {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>&lt;b&gt;不可为 {number:g} m：规则允许 {minimum:g} 至 {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} 帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个体育场</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>盲标：未提交的帧没有参与（{n}）。</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>无法读取的帧没有参与：{n}。</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py, procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>停止</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>规则固定了场地{field}的所有尺寸</translation>
+  </message>
+  <message>
+   <source>Blind: the set is checked once one of its frames is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/commands/field_dimensions.py]</extracomment>
+   <translation>盲标：提交数据集的一帧后才会查看（Ctrl+回车）。</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之后没有已标注的帧</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之后没有存疑的帧</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之前没有存疑的帧</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>第 {place} / {total}，最差在前：JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>第 {place} / {total}，最差在前：最大误差 {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>第 {place} / {total}，最差在前：分歧中位数 {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>没有其他被退回的帧</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{frame} 为“{status}”</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>没有可前往的已评分帧</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>没有可前往的已评分帧：盲标模式只显示已提交的帧</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>正在数据集上比较 {source} 与 {other}</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>盲标模式：隐藏跟踪的好坏</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>尚未跟踪任何镜头（T）</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>这些帧并不连续</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之后的所有帧均已标注</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之前的所有帧均已标注</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之后的所有帧均已完成或批准</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>本帧之前的所有帧均已完成或批准</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>需要两个源才能看出分歧：请加载更多相机（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} 和 {other} 在任何帧中都无法在地面上比较</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>已停止比较各源</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>这是最差的；再按一次继续</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>没有其他已评分的帧</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>重新从最差的开始</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>已有两个源正在比较</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>{source} 和 {other} 已比较</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/commands/ghost_accepting.py, procc_annotator/gui/commands/versions.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{accepted}：{points}，{share:.0%} 的线可见</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{elements} 有 {n} 个端点不可见：点在此之前结束</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>相机此时已不同</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>接受 {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个虚影</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{total} 个虚影中的 {n} 个</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>已接受 {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>有 {n} 个端点不可见：点在此之前结束</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>该帧此时已被编辑</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>在 {frame} 上寻找线用时过长</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>未接受 {element}：{why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>接受所有虚影</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>虚影的线要有多少可见，才能与其他所有一并接受（%）：</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>{element}：沿线未找到画线；请手动点击，或标明此处不可见（.）</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>正在拟合相机：请稍后接受其虚影</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>已在 {frame} 上接受 {what}</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影：没有图片可寻找其线</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影：{why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>未接受 {element}</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>虚影已接受：请接受新拟合的虚影</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>正在绘制的内容已完成：请接受新拟合的虚影</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>未接受任何虚影</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
+   <translation>找到其点后即接受 {element}</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>请先转到虚影（Tab）或选择元素</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>那是第一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>在此图片中未找到相机：请绘制三四个元素，或跟踪镜头（T）</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>那是最后一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>正在拟合相机：虚影马上就来</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：正在图片中寻找相机</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：{why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：其余可见内容已标注，或还不够确定</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：标注三四个元素即可得出相机</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>在此图片中未找到相机：请绘制三四个元素</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：已关闭（元素 &gt; 虚影 &gt; 显示虚影）</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>叠加层已隐藏：看不到虚影（Ctrl+H，或松开 X）</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>请先完成正在绘制的内容（回车），或取消（Esc）</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：无法拟合相机</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>尚无合适的相机</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>正在手动绘制</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} 在此已标注：请先删除（Ctrl+Delete）</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} 在此不可见；Ctrl+. 撤回</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{title} 在此可能又可见</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>本帧没有被标为不可见的元素</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>那是最后一个虚影</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>请先转到虚影（Tab）</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>{off}；请先选择元素</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
-   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧中已导入 {edited} 帧（{format}）。</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>Cancelled: {n:,} frames were not looked at.</source>
-   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <source>Cancelled: {n:,} frames were not checked.</source>
+   <extracomment>Cancelled: {n:,} frame was not checked. / Cancelled: {n:,} frames were not checked. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>已取消：{n:,} 帧未查看。</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are annotated already and left unchanged.</source>
-   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧已有标注，保持不变。</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames hold the same already.</source>
-   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧已含相同内容。</numerusform>
    </translation>
@@ -2456,837 +2449,804 @@ Loses {loses}.</source>
   <message>
    <source>import</source>
    <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>导入</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
-   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧中已导入 {edited} 帧</numerusform>
    </translation>
   </message>
   <message>
    <source>Cancelled; nothing was imported.</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>已取消；未导入任何内容。</translation>
   </message>
   <message>
    <source>Left as they were</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>保持原样</translation>
   </message>
   <message>
    <source>Could not be read</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>无法读取</translation>
   </message>
   <message>
    <source>Without a picture here ({n})</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>此处没有图片（{n}）</translation>
   </message>
   <message>
    <source>Changed or left out</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>已更改或排除</translation>
   </message>
   <message>
    <source>it could not be saved: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/importing.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/importing.py]</extracomment>
    <translation>无法保存：{why}</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>图片</translation>
-  </message>
-  <message>
-   <source>Videos</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>视频</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not there any more: {paths}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>之前在此打开的相机已不存在：{paths}</translation>
-  </message>
-  <message>
-   <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>示例随源代码提供，此处没有</translation>
-  </message>
-  <message>
-   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>您自己的副本，位于 {folder}；可从“相机”菜单加载其相机</translation>
-  </message>
-  <message>
-   <source>Load a folder of cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>加载相机文件夹</translation>
-  </message>
-  <message>
-   <source>Load cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>加载相机</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>相机</translation>
-  </message>
-  <message>
-   <source>cameras opened here before are not opened again: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>之前在此打开的相机未再次打开：{why}</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>打开图片文件夹</translation>
-  </message>
-  <message>
-   <source>Open a picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>打开图片</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py, procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>打开视频</translation>
-  </message>
-  <message>
-   <source>Open a second annotator's folder</source>
-   <extracomment>[procc_annotator/gui/commands/files/opening.py]</extracomment>
-   <translation>打开第二位标注者的文件夹</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, without the legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px，不含图例</translation>
-  </message>
-  <message>
-   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px，过大：请选择更小的比例或 SVG</translation>
-  </message>
-  <message>
-   <source>PNG: pixels, nothing is lost</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>PNG：像素，无损</translation>
-  </message>
-  <message>
-   <source>JPEG: pixels, small</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>JPEG：像素，体积小</translation>
-  </message>
-  <message>
-   <source>SVG: lines and text stay sharp</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>SVG：线条和文字始终清晰</translation>
-  </message>
-  <message>
-   <source>Picture (*{suffix})</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>图片 (*{suffix})</translation>
-  </message>
-  <message>
-   <source>Save overlay picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>保存叠加图片</translation>
-  </message>
-  <message>
-   <source>Px of the result per px of the picture; lines and text grow with it</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>结果 px 与图片 px 之比；线条和文字随之增大</translation>
-  </message>
-  <message>
-   <source>Explain colours, dashes and marks below the picture</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>在图片下方说明颜色、线型和标记</translation>
-  </message>
-  <message>
-   <source>&amp;Kind</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>类型(&amp;K)</translation>
-  </message>
-  <message>
-   <source>&amp;Scale</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>比例(&amp;S)</translation>
-  </message>
-  <message>
-   <source>Result</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>结果</translation>
-  </message>
-  <message>
-   <source>&amp;Legend</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>图例(&amp;L)</translation>
-  </message>
-  <message>
-   <source>writing the overlay picture {path} …</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>正在写出叠加图片 {path} …</translation>
-  </message>
-  <message>
-   <source>open a picture first</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>请先打开图片</translation>
-  </message>
-  <message>
-   <source>{path}: is the picture itself, choose another name</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>{path}：就是图片本身，请另选名称</translation>
-  </message>
-  <message>
-   <source>overlay picture written to {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/overlay_saving.py]</extracomment>
-   <translation>叠加图片已写入 {path}</translation>
-  </message>
-  <message>
-   <source>One frame every</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>取帧间隔</translation>
-  </message>
-  <message>
-   <source>The first frame of every scene</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>每个场景的第一帧</translation>
-  </message>
-  <message>
-   <source>Looks through the whole video for cuts; this takes a while</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>在整个视频中寻找剪切点；需要一些时间</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py, the field american_football, the menus]</extracomment>
-   <translation>场地</translation>
-  </message>
-  <message>
-   <source>Reading {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>正在读取 {file}</translation>
-  </message>
-  <message>
-   <source>Looking for cuts in {file}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>正在 {file} 中寻找剪切点</translation>
-  </message>
-  <message>
-   <source>this frame is a picture already</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>本帧已是图片</translation>
-  </message>
-  <message>
-   <source>kept as {path}</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>已保留为 {path}</translation>
-  </message>
-  <message>
-   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
-   <extracomment>[procc_annotator/gui/commands/files/video_opening.py]</extracomment>
-   <translation>不会导出任何内容；“保留此视频帧”可写出图片。</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>第 {place} / {total}，最差在前：JaC {value:.3f}</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>第 {place} / {total}，最差在前：最大误差 {value:.1f} px</translation>
-  </message>
-  <message>
-   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>第 {place} / {total}，最差在前：分歧中位数 {value:.2f} m</translation>
-  </message>
-  <message>
-   <source>no JaC yet: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>尚无 JaC：请先加载相机</translation>
-  </message>
-  <message>
-   <source>no other frame is rejected</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>没有其他被退回的帧</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{frame} 为“{status}”</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>没有可前往的已评分帧</translation>
-  </message>
-  <message>
-   <source>comparing {source} with {other} over the set</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>正在数据集上比较 {source} 与 {other}</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>本帧之后的所有帧均已完成或批准</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>本帧之前的所有帧均已完成或批准</translation>
-  </message>
-  <message>
-   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>需要两个源才能看出分歧：请加载更多相机（Ctrl+L）</translation>
-  </message>
-  <message>
-   <source>{source} and {other} cannot be compared on the ground in any frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} 和 {other} 在任何帧中都无法在地面上比较</translation>
-  </message>
-  <message>
-   <source>stopped comparing the sources</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>已停止比较各源</translation>
-  </message>
-  <message>
-   <source>this is the worst; once more goes on</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>这是最差的；再按一次继续</translation>
-  </message>
-  <message>
-   <source>no other frame has a score</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>没有其他已评分的帧</translation>
-  </message>
-  <message>
-   <source>from the worst again</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>重新从最差的开始</translation>
-  </message>
-  <message>
-   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>没有可前往的已评分帧：盲标模式只显示已提交的帧</translation>
-  </message>
-  <message>
-   <source>two sources are being compared already</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>已有两个源正在比较</translation>
-  </message>
-  <message>
-   <source>{source} and {other} are compared</source>
-   <extracomment>[procc_annotator/gui/commands/review/frame_walks.py]</extracomment>
-   <translation>{source} 和 {other} 已比较</translation>
   </message>
   <message>
    <source>error</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>错误</translation>
   </message>
   <message>
    <source>warning</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>警告</translation>
   </message>
   <message>
    <source>hint</source>
    <comment>a finding</comment>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>提示</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>检查结果 {place} / {total}，{severity}：{elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>没有达到“检查”面板所设确定程度的结果</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>已更改 {n} 个元素的类别</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
-   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>已检查 {n:,} 帧，相机模型 {model}：{found}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} checked frames</source>
-   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个已检查的帧</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{element} 和 {other}</translation>
   </message>
   <message>
    <source>the label check is still looking at this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>类别检查仍在检查本帧</translation>
   </message>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>类别检查未发现问题；检查整个数据集以查看所有帧</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>{done}；Ctrl+Z 撤回</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>已移除 {element} 的第 {n} 点</translation>
   </message>
   <message>
    <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>已互换 {element} 和 {other}</translation>
   </message>
   <message>
    <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>已将 {element} 改为 {other}</translation>
   </message>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>在 {elements} 更改之前忽略；可从“检查”面板恢复</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
-   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧无法检查</numerusform>
    </translation>
   </message>
   <message>
    <source>Export findings</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>导出检查结果</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} findings in {frames} to {path}</source>
-   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>
     <numerusform>已将{frames}的 {n:,} 项检查结果导出到 {path}</numerusform>
    </translation>
   </message>
   <message>
    <source>the label check has found nothing</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>类别检查未发现问题</translation>
   </message>
   <message>
    <source>the elements have changed since: checked again</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>元素此后已更改：已重新检查</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>已移除 {element} 的点</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>请先转到一项检查结果（F10）</translation>
   </message>
   <message>
    <source>stopped checking the set; what was found stays</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>已停止检查数据集；已发现的结果保留</translation>
   </message>
   <message>
    <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>类别检查在本帧未发现问题</translation>
   </message>
   <message>
    <source>nothing found</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>未发现问题</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
-   <extracomment>[procc_annotator/gui/commands/review/label_check.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/label_check.py]</extracomment>
    <translation>没有已知的修复：{reason}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解锁会向所有标注者显示相机、虚影和拟合。数据集会记录 {author} 解锁及其时间。</translation>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>之前在此打开的相机未再次打开：{why}</translation>
   </message>
   <message>
-   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解锁会向您显示相机、虚影和拟合；对其他人并未锁定。数据集会记录 {author} 解锁及其时间。</translation>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>打开视频</translation>
   </message>
   <message>
-   <source>blind mode leaves out {n} on frames that are not committed</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>盲标模式排除未提交帧的 {n} 项</translation>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>取帧间隔</translation>
   </message>
   <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解除盲标模式</translation>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>每个场景的第一帧</translation>
   </message>
   <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>解锁并记录</translation>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>在整个视频中寻找剪切点；需要一些时间</translation>
   </message>
   <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>保持锁定</translation>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, the field american_football, the menus]</extracomment>
+   <translation>场地</translation>
   </message>
   <message>
-   <source>{frame}: no verdict on {source} any more</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{frame}：不再有对 {source} 的判定</translation>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>正在读取 {file}</translation>
   </message>
   <message>
-   <source>Note on the verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>判定备注</translation>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>正在 {file} 中寻找剪切点</translation>
   </message>
   <message>
-   <source>What is wrong here:</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>这里有什么问题：</translation>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>图片</translation>
   </message>
   <message>
-   <source>Export verdicts</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>导出判定</translation>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>视频</translation>
   </message>
   <message>
-   <source>blind: no frame that is committed has a verdict</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>盲标：没有已提交的帧有判定</translation>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>不会导出任何内容；“保留此视频帧”可写出图片。</translation>
   </message>
   <message>
-   <source>no frame has a verdict yet: mark one first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>尚无帧有判定：请先标记一个</translation>
-  </message>
-  <message numerus="yes">
-   <source>exported {n:,} verdicts to {path}</source>
-   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>
-    <numerusform>已将 {n:,} 项判定导出到 {path}</numerusform>
-   </translation>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>之前在此打开的相机已不存在：{paths}</translation>
   </message>
   <message>
-   <source>a verdict is on a frame and a camera: load cameras first</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>判定针对帧和相机：请先加载相机</translation>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>本帧已是图片</translation>
   </message>
   <message>
-   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏相机（Ctrl+回车）</translation>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>已保留为 {path}</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>请先标记本帧：相机错误、标注错误或无误</translation>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>示例随源代码提供，此处没有</translation>
   </message>
   <message>
-   <source>not everything could be saved: the figures are of the last saved state</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>未能全部保存：数字为最近保存的状态</translation>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>您自己的副本，位于 {folder}；可从“相机”菜单加载其相机</translation>
   </message>
   <message>
-   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} 随点击而变：判定针对加载的相机</translation>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>加载相机文件夹</translation>
   </message>
   <message>
-   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
-   <extracomment>[procc_annotator/gui/commands/review/triage.py]</extracomment>
-   <translation>{source} 在此计算得出：判定针对加载的相机</translation>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>加载相机</translation>
   </message>
   <message>
-   <source>There is no earlier version of this frame.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>本帧没有早期版本。</translation>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>相机</translation>
   </message>
   <message>
-   <source>Compared with now: {changes}. What differs: {elements}.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>与现在相比：{changes}。不同之处：{elements}。</translation>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>打开图片文件夹</translation>
   </message>
   <message>
-   <source>cannot be read</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>无法读取</translation>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>打开图片</translation>
   </message>
   <message>
-   <source>empty</source>
-   <comment>a version</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>空</translation>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <translation>打开第二位标注者的文件夹</translation>
   </message>
   <message>
-   <source>as now</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>与现在相同</translation>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px，不含图例</translation>
   </message>
   <message>
-   <source>other elements</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>元素不同</translation>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px，过大：请选择更小的比例或 SVG</translation>
   </message>
   <message>
-   <source>points moved</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>点有移动</translation>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>PNG：像素，无损</translation>
   </message>
   <message>
-   <source>This is what the frame holds now.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>这是本帧现在的内容。</translation>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>JPEG：像素，体积小</translation>
   </message>
   <message>
-   <source>Compared with now: the same points in another order of elements.</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>与现在相比：点相同，元素顺序不同。</translation>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>SVG：线条和文字始终清晰</translation>
   </message>
   <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>恢复早期版本</translation>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>图片 (*{suffix})</translation>
   </message>
   <message>
-   <source>Earlier versions</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>早期版本</translation>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>保存叠加图片</translation>
   </message>
   <message>
-   <source>Restore</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>恢复</translation>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>结果 px 与图片 px 之比；线条和文字随之增大</translation>
   </message>
   <message>
-   <source>%d %b %Y, %H:%M:%S</source>
-   <comment>a moment; the month as %b is English, as %m a number</comment>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>%Y-%m-%d %H:%M:%S</translation>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>在图片下方说明颜色、线型和标记</translation>
   </message>
   <message>
-   <source>{n} more</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>另外 {n} 个</translation>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>类型(&amp;K)</translation>
   </message>
   <message>
-   <source>the earlier version is back; undo takes it away again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>已恢复早期版本；撤销可再次取消</translation>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>比例(&amp;S)</translation>
   </message>
   <message>
-   <source>the earlier version is back; what could not be read stays a version</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>较早的版本已恢复；无法读取的内容保留为一个版本</translation>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>结果</translation>
   </message>
   <message>
-   <source>the frame was changed elsewhere: look at it, then restore again</source>
-   <extracomment>[procc_annotator/gui/commands/review/versions.py]</extracomment>
-   <translation>该帧已在别处更改：请查看后再恢复</translation>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>图例(&amp;L)</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>正在写出叠加图片 {path} …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>请先打开图片</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>{path}：就是图片本身，请另选名称</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/commands/overlay_saving.py]</extracomment>
+   <translation>叠加图片已写入 {path}</translation>
   </message>
   <message>
    <source>it is annotated by now</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>此时已标注</translation>
   </message>
   <message>
    <source>it was edited since</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>此后已编辑</translation>
   </message>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>没有可接受的帧：请先跟踪镜头（T）；存疑的帧和已标注的帧除外</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>盲标模式：未点击的内容一律不接受</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>正在沿跟踪寻找画线：{done} / {total} 帧</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>已沿跟踪接受 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message>
    <source>Ctrl+Z takes them back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Ctrl+Z 撤回</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>已撤回：{n:,} 个沿跟踪接受的帧</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
-   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>
     <numerusform>保留 {n:,} 帧：{why}</numerusform>
    </translation>
   </message>
   <message>
    <source>looking for paint along the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>正在沿跟踪寻找画线</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
   </message>
   <message>
    <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>接受跟踪</translation>
   </message>
   <message>
    <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>撤回跟踪</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>没有可撤回的已接受内容</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>已撤回：不接受任何帧</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/accepting.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>未接受任何帧：可见的线太少</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>已跟踪 {n:,} 帧，其中 {doubtful:,} 帧存疑（Alt+PgDown）；Ctrl+Shift+回车接受确定的帧</numerusform>
    </translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>正在跟踪：{done} / {total} 帧  ·  T 停止</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
-   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>
     <numerusform>已跟踪 {n:,} 帧，全部确定；Ctrl+Shift+回车接受确定的帧</numerusform>
    </translation>
   </message>
   <message>
    <source>looking for the ends of the shot …  T stops</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>正在寻找镜头的两端 …  T 停止</translation>
   </message>
   <message>
    <source>the shot could not be followed: {why}</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>无法跟踪镜头：{why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>只有视频或连续的帧才能跟踪</translation>
   </message>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>盲标模式：不跟踪镜头，否则会看到其相机</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>镜头中没有确定相机的帧：请标注一帧后再跟踪</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>已停止；目前的跟踪结果保留</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
-   <extracomment>[procc_annotator/gui/commands/shot/following.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>已停止；未跟踪任何内容</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>本帧之后没有已标注的帧</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解锁会向所有标注者显示相机、虚影和拟合。数据集会记录 {author} 解锁及其时间。</translation>
   </message>
   <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>本帧之后没有存疑的帧</translation>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解锁会向您显示相机、虚影和拟合；对其他人并未锁定。数据集会记录 {author} 解锁及其时间。</translation>
   </message>
   <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>本帧之前没有存疑的帧</translation>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>盲标模式排除未提交帧的 {n} 项</translation>
   </message>
   <message>
-   <source>blind mode: how the track does is hidden</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>盲标模式：隐藏跟踪的好坏</translation>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{frame}：不再有对 {source} 的判定</translation>
   </message>
   <message>
-   <source>no shot was followed yet (T)</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>尚未跟踪任何镜头（T）</translation>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>判定备注</translation>
   </message>
   <message>
-   <source>these frames do not follow one another</source>
-   <extracomment>[procc_annotator/gui/commands/shot/walking.py]</extracomment>
-   <translation>这些帧并不连续</translation>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>这里有什么问题：</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>导出判定</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>盲标：没有已提交的帧有判定</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>尚无帧有判定：请先标记一个</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>
+    <numerusform>已将 {n:,} 项判定导出到 {path}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解除盲标模式</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>解锁并记录</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>保持锁定</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>请先标记本帧：相机错误、标注错误或无误</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>未能全部保存：数字为最近保存的状态</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} 随点击而变：判定针对加载的相机</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>{source} 在此计算得出：判定针对加载的相机</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>本帧没有早期版本。</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>与现在相比：{changes}。不同之处：{elements}。</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>无法读取</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>空</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>与现在相同</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>元素不同</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>点有移动</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>这是本帧现在的内容。</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>与现在相比：点相同，元素顺序不同。</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>恢复早期版本</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>早期版本</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>恢复</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>%Y-%m-%d %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>另外 {n} 个</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>已恢复早期版本；撤销可再次取消</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>较早的版本已恢复；无法读取的内容保留为一个版本</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/commands/versions.py]</extracomment>
+   <translation>该帧已在别处更改：请查看后再恢复</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>不同相机拍摄同一瞬间的帧为一组。由名称按模式判断：&lt;b&gt;{instant}&lt;/b&gt; 表示帧的拍摄时刻，&lt;b&gt;{view}&lt;/b&gt; 表示相机，其余字符表示其本身。也可用含 &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; 和 &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; 的正则表达式。</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>未找到符合这些名称的模式：请写一个。</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>其现有内容及所写的其他一切都会丢失。</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>瞬间</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}分为 {n:,} 组，每组 {least} 至 {most} 帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个瞬间的{frames}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 帧，均未分组。</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames}分为 {n:,} 组</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>帧的分组</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} 从现在起将{sizes}分组</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个瞬间只有一帧</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个名称不符合（在表格末尾）</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>此名称不符合模式：该帧单独存在</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>视图分组</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>帧名的模式</translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>{file} 已存在：{sizes}。</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>写出 {file}</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>将这些分组保存在数据集的文件夹中</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -3431,7 +3391,7 @@ Loses {loses}.</source>
    <translation>按住 Ctrl</translation>
   </message>
   <message>
-   <source>click beside the line: no snapping</source>
+   <source>click off the line: no snapping</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
    <translation>点在线旁：不吸附</translation>
   </message>
@@ -3457,7 +3417,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/errors.py]</extracomment>
+   <extracomment>[procc_annotator/gui/keymap.py, procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>方向键</translation>
   </message>
   <message>
@@ -3660,15 +3620,32 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} 已存在，且内容不同。</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} 帧未保存，刚才再次保存失败。</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>{text}。</translation>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>显示文件中的内容；撤销可恢复您的版本</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>将屏幕上的内容覆盖写入文件</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>删除 {what}？</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>保留</translation>
   </message>
   <message>
    <source>Delete</source>
@@ -3681,26 +3658,14 @@ Loses {loses}.</source>
    <translation>替换</translation>
   </message>
   <message>
-   <source>Keep it</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>保留</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} frames are not saved, and saving failed again just now.</source>
-   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
-   <translation>
-    <numerusform>{n} 帧未保存，刚才再次保存失败。</numerusform>
-   </translation>
+   <translation>关闭并丢失</translation>
   </message>
   <message>
    <source>Stay</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>留下</translation>
-  </message>
-  <message>
-   <source>Close and lose them</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>关闭并丢失</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3713,24 +3678,9 @@ Loses {loses}.</source>
    <translation>载入对方的版本</translation>
   </message>
   <message>
-   <source>Show what is in the file; undo brings your version back</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>显示文件中的内容；撤销可恢复您的版本</translation>
-  </message>
-  <message>
    <source>Overwrite with mine</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>用我的覆盖</translation>
-  </message>
-  <message>
-   <source>Write what you see on screen over the file</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>将屏幕上的内容覆盖写入文件</translation>
-  </message>
-  <message>
-   <source>This frame is not editable. {problem}</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>本帧不可编辑。{problem}</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -3782,6 +3732,11 @@ Loses {loses}.</source>
    <translation>关闭第二位标注者</translation>
   </message>
   <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>第二位标注者在本帧的文件无法读取：{error}</translation>
+  </message>
+  <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>{tau:g} px 下的一致性 JaC：{jac:.3f}</translation>
@@ -3809,19 +3764,9 @@ Loses {loses}.</source>
    <translation>点</translation>
   </message>
   <message>
-   <source>The second annotator's file for this frame is unreadable: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>第二位标注者在本帧的文件无法读取：{error}</translation>
-  </message>
-  <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>已隐藏：盲标模式在提交本帧后显示得分。</translation>
-  </message>
-  <message>
-   <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>第二位标注者在本帧没有内容。</translation>
+   <translation>已隐藏：盲标模式在提交本帧后显示得分。</translation>
   </message>
   <message>
    <source>One of the two seems to label the field turned by 180 degrees.</source>
@@ -3870,374 +3815,374 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>soccernet (official)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the setting protocol]</extracomment>
-   <translation>soccernet（官方）</translation>
-  </message>
-  <message>
-   <source>procc (paper)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>procc（论文）</translation>
-  </message>
-  <message>
-   <source>count as missed</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>计为未命中</translation>
-  </message>
-  <message>
-   <source>are left out</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>排除在外</translation>
-  </message>
-  <message>
-   <source>Cameras ({endings});;All files (*)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>相机 ({endings});;所有文件 (*)</translation>
-  </message>
-  <message>
-   <source>Source to compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>要对比的源</translation>
-  </message>
-  <message>
-   <source>Held against the active source: comma, split view, disagreement</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>与当前源对照：逗号、分割视图、分歧</translation>
-  </message>
-  <message>
-   <source>Compare with</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>对比</translation>
-  </message>
-  <message>
-   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>{share:.0f} % 在 {far:g} m 以内，占图片的 {covered:.0f} %</translation>
-  </message>
-  <message>
-   <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>未加载相机。
-加载 SoccerNet 相机文件或单应矩阵的文件夹，即可用您的点击评判它们。</translation>
-  </message>
-  <message>
-   <source>Load folder…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>加载文件夹…</translation>
-  </message>
-  <message>
-   <source>A folder with one camera file a frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>每帧一个相机文件的文件夹</translation>
-  </message>
-  <message>
-   <source>Load file…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>加载文件…</translation>
-  </message>
-  <message>
-   <source>A zip archive of cameras, or the camera of one frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>相机的 zip 压缩包，或单帧的相机</translation>
-  </message>
-  <message>
-   <source>How the files loaded next are read</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>接下来加载的文件如何读取</translation>
-  </message>
-  <message>
-   <source>soccernet: the official evaluation with its quirks
-procc: the paper's definition, closed circles and fine curves</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>soccernet：官方评测及其怪癖
-procc：论文的定义，闭合的圆和精细的曲线</translation>
-  </message>
-  <message>
-   <source>A homography knows the ground only: how posts and crossbars count for it</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>单应矩阵只知道地面：门柱和横梁对它如何计入</translation>
-  </message>
-  <message>
-   <source>Read as</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>读取方式</translation>
-  </message>
-  <message>
-   <source>Protocol</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py, the menus, the setting protocol]</extracomment>
-   <translation>协议</translation>
-  </message>
-  <message>
-   <source>Off the ground</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>离地</translation>
-  </message>
-  <message>
-   <source>This frame: {notice}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>本帧：{notice}</translation>
-  </message>
-  <message>
-   <source>⚠ This frame's camera cannot be used: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>⚠ 本帧的相机无法使用：{error}</translation>
-  </message>
-  <message>
-   <source>min</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>最小</translation>
-  </message>
-  <message>
-   <source>median</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>中位数</translation>
-  </message>
-  <message>
-   <source>max</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>最大</translation>
-  </message>
-  <message>
-   <source>Between the two points on the ground that a pixel means</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>一个像素所指的两个地面点之间的距离</translation>
-  </message>
-  <message>
-   <source>From a pixel to where the compared camera shows its ground point</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>从一个像素到对比相机显示其地面点之处</translation>
-  </message>
-  <message>
-   <source>on the ground, m</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>地面上，m</translation>
-  </message>
-  <message>
-   <source>in the picture, px</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>图片中，px</translation>
-  </message>
-  <message>
-   <source>Blind: the projection is hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/cameras_panel.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏投影。</translation>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>第二位标注者在本帧没有内容。</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>本数据集中有相机的帧（完整度）</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>本窗口中访问过且点击得出相机的帧；其 JaC 针对用于拟合的点击。
 procc-annotator calibrate 可拟合并评分整个数据集</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>本数据集中随镜头跟踪并有相机的帧。
 procc-annotator track 可跟踪整个视频并写出其相机</translation>
   </message>
   <message>
    <source>Yellow</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>黄色</translation>
   </message>
   <message>
    <source>Violet</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>紫色</translation>
   </message>
   <message>
    <source>Blue</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>蓝色</translation>
   </message>
   <message>
    <source>Mint</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>薄荷色</translation>
   </message>
   <message>
    <source>Navy</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>藏青色</translation>
   </message>
   <message>
    <source>Cyan</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>青色</translation>
   </message>
   <message>
    <source>Switch the live fit off (Ctrl+T switches it on again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>关闭实时拟合（Ctrl+T 再次打开）</translation>
   </message>
   <message>
-   <source>Remove from the list; the files stay</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>从列表移除；文件保留</translation>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>源的名称</translation>
   </message>
   <message>
-   <source>Forget what was followed (T follows the shot again)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>忘记跟踪结果（T 重新跟踪镜头）</translation>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>评判其他源时以线框绘制</translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{frames}在 {tau:.1f} px 下的平均 JaC</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>无法读取（筛选 camera:unreadable）：{names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
-   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{matched} / {total}，{n} 个无法读取</numerusform>
    </translation>
   </message>
   <message>
-   <source>Name of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>源的名称</translation>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>从列表移除；文件保留</translation>
   </message>
   <message>
-   <source>Draw as a wireframe while another source is judged</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>评判其他源时以线框绘制</translation>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>忘记跟踪结果（T 重新跟踪镜头）</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>不评判，不绘制相机</translation>
   </message>
   <message>
    <source>Judge against {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>评判 {name}</translation>
   </message>
   <message>
    <source>Remove {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>移除 {name}</translation>
   </message>
   <message>
    <source>Draw {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>绘制 {name}</translation>
   </message>
   <message>
    <source>Colour of {name}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{name} 的颜色</translation>
   </message>
   <message>
-   <source>Other…</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>其他…</translation>
-  </message>
-  <message>
-   <source>Colour of the source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>源的颜色</translation>
-  </message>
-  <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>无相机</translation>
-  </message>
-  <message>
-   <source>Judge nothing, draw no camera</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
-   <translation>不评判，不绘制相机</translation>
-  </message>
-  <message>
    <source>{frames} so far</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>目前 {frames}</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
-   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{mean}；{n:,} 个相机无法读取，不参与计算</numerusform>
    </translation>
   </message>
   <message>
    <source>{model} (ground)</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{model}（地面）</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>此处为 {model}，多种模型</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
-   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>已跟踪 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>已拟合 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>{n} / {total}（{share}）</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
-   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{names} 以及另外 {n:,} 个</numerusform>
    </translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>此处无法使用：{error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>本帧无相机</translation>
   </message>
   <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>其他…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation>源的颜色</translation>
+  </message>
+  <message>
    <source>Double-click or F2 gives it another name</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>双击或 F2 更改名称</translation>
   </message>
   <message>
    <source>Blind mode hides how the sources do</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>盲标模式隐藏各源的表现</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>没有任何一帧既有标注元素又有此源的相机</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
-   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个相机</numerusform>
    </translation>
   </message>
   <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>无相机</translation>
+  </message>
+  <message>
    <source>several models</source>
-   <extracomment>[procc_annotator/gui/panels/cameras/sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>多种模型</translation>
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the setting protocol]</extracomment>
+   <translation>soccernet（官方）</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>procc（论文）</translation>
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>计为未命中</translation>
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>排除在外</translation>
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>相机 ({endings});;所有文件 (*)</translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>要对比的源</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>对比</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>{share:.0f} % 在 {far:g} m 以内，占图片的 {covered:.0f} %</translation>
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>未加载相机。
+加载 SoccerNet 相机文件或单应矩阵的文件夹，即可用您的点击评判它们。</translation>
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>加载文件夹…</translation>
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>加载文件…</translation>
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>读取方式</translation>
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py, the menus, the setting protocol]</extracomment>
+   <translation>协议</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>离地</translation>
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>本帧：{notice}</translation>
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>⚠ 本帧的相机无法使用：{error}</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>与当前源对照：逗号、分割视图、分歧</translation>
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>最小</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>中位数</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>最大</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>地面上，m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>图片中，px</translation>
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>每帧一个相机文件的文件夹</translation>
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>相机的 zip 压缩包，或单帧的相机</translation>
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>接下来加载的文件如何读取</translation>
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>soccernet：官方评测及其怪癖
+procc：论文的定义，闭合的圆和精细的曲线</translation>
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>单应矩阵只知道地面：门柱和横梁对它如何计入</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>一个像素所指的两个地面点之间的距离</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
+   <translation>从一个像素到对比相机显示其地面点之处</translation>
   </message>
   <message>
    <source>annotated</source>
@@ -4296,7 +4241,7 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
    <translation>已标注，但相机未投影（假阴性）</translation>
   </message>
   <message>
-   <source>Somebody said that it cannot be seen in this frame</source>
+   <source>Marked as not visible in this frame</source>
    <extracomment>[procc_annotator/gui/panels/element_states.py]</extracomment>
    <translation>有人标明它在本帧不可见</translation>
   </message>
@@ -4312,7 +4257,7 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
   </message>
   <message>
    <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/canvas_menu.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>无几何</translation>
   </message>
   <message>
@@ -4326,9 +4271,11 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
    <translation>查找元素</translation>
   </message>
   <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>元素</translation>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>没有元素匹配“{query}”。
+按 Esc 清除搜索。</translation>
   </message>
   <message>
    <source>Annotated points</source>
@@ -4343,11 +4290,9 @@ Class in files: {name}</source>
 文件中的类别：{name}</translation>
   </message>
   <message>
-   <source>No element matches “{query}”.
-Esc clears the search.</source>
-   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation>没有元素匹配“{query}”。
-按 Esc 清除搜索。</translation>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>元素</translation>
   </message>
   <message>
    <source>Key</source>
@@ -4366,7 +4311,7 @@ Esc clears the search.</source>
    <translation>状态</translation>
   </message>
   <message>
-   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <source>Annotating it next helps most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>接下来标注它最有用：投影的精度将从 {before:.1f} px 提高到 {after:.1f} px</translation>
   </message>
@@ -4392,27 +4337,27 @@ Esc clears the search.</source>
   </message>
   <message>
    <source>Error</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>错误</translation>
   </message>
   <message>
    <source>Warning</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>警告</translation>
   </message>
   <message>
    <source>Hint</source>
-   <extracomment>[procc_annotator/gui/panels/findings/finding_rows.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/finding_rows.py]</extracomment>
    <translation>提示</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>本帧未发现问题。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
-   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧中未发现问题。</numerusform>
    </translation>
@@ -4420,159 +4365,159 @@ Esc clears the search.</source>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>没有帧。
 打开图片文件夹以检查其类别。</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>本帧没有任何标注。</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>无需相机的规则未发现问题。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
-   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>除 {n:,} 项已忽略的结果外未发现问题。</numerusform>
    </translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>盲标：需要相机的检查等到提交本帧后进行（Ctrl+回车）。</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>实时拟合已关闭：只检查无需相机的规则。</translation>
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>尚无合适的相机（{why}）：只检查无需相机的规则。</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>盲标：只对已提交的帧用相机检查。</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
-   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧无法检查，如 {name}：{why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
-   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
-   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <source>The set is not checked yet; {n:,} frames checked so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame checked so far. / The set is not checked yet; {n:,} frames checked so far. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>数据集尚未检查；目前已查看 {n:,} 帧。</numerusform>
    </translation>
   </message>
   <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>列出哪些检查结果</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>已检查的帧</translation>
+  </message>
+  <message>
    <source>Checking this frame…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>正在检查本帧…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>正在检查数据集…</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个错误</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个警告</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个提示</numerusform>
    </translation>
   </message>
   <message>
-   <source>Findings</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>检查结果</translation>
-  </message>
-  <message>
-   <source>Which findings are listed</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>列出哪些检查结果</translation>
-  </message>
-  <message>
    <source>Check the whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
    <translation>检查整个数据集</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action check_set]</extracomment>
-   <translation>在所有已标注的帧中查找错误类别</translation>
-  </message>
-  <message>
-   <source>Frames checked</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>已检查的帧</translation>
-  </message>
-  <message>
-   <source>Write the findings of all checked frames as CSV</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
-   <translation>将所有已检查帧的检查结果写为 CSV</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} more are not listed: switch the signs above on.</source>
-   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>另有 {n:,} 项未列出：请打开上方的标志。</numerusform>
    </translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action ignore_finding]</extracomment>
    <translation>在其元素的点改变之前不再显示</translation>
   </message>
   <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>检查结果</translation>
+  </message>
+  <message>
    <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>本帧</translation>
   </message>
   <message>
    <source>Whole set</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>整个数据集</translation>
   </message>
   <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py, the action check_set]</extracomment>
+   <translation>在所有已标注的帧中查找错误类别</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
+   <translation>将所有已检查帧的检查结果写为 CSV</translation>
+  </message>
+  <message>
    <source>{findings}; click to list them or not</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>{findings}；点击以列出或隐藏</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
-   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/findings_panel.py]</extracomment>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings.py]</extracomment>
    <translation>
     <numerusform>此处已忽略 {n:,} 项。&lt;a href="restore"&gt;重新显示&lt;/a&gt;</numerusform>
    </translation>
   </message>
   <message>
    <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/panels/findings/findings_panel.py, procc_annotator/gui/window/canvas_menu.py, the action ignore_finding]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/window/menus.py, the action ignore_finding]</extracomment>
    <translation>忽略此检查结果</translation>
   </message>
   <message>
@@ -4655,14 +4600,44 @@ Open a folder of pictures to check their labels.</source>
    </translation>
   </message>
   <message>
-   <source>✕ left out: {title}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>✕ 已排除：{title}</translation>
-  </message>
-  <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>{title}：平均 {mean} px，最大 {largest} px</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>视为错误：未参与拟合</translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>可见但未标注的元素会拉低 JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>难以确定：{limits}</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>参与拟合的点的平均距离，以图片 px 计</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>由拟合估计的标准差</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>保存为本帧的相机</translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
+   <translation>✕ 已排除：{title}</translation>
   </message>
   <message>
    <source>Pan</source>
@@ -4701,54 +4676,14 @@ Open a folder of pictures to check their labels.</source>
    <translation>高度 (−z)</translation>
   </message>
   <message>
-   <source>Elements in sight that are not annotated count against the JaC</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>可见但未标注的元素会拉低 JaC</translation>
-  </message>
-  <message>
-   <source>Hardly determined: {limits}</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>难以确定：{limits}</translation>
-  </message>
-  <message>
-   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>拟合什么。自动：点击所能支持的最简模型</translation>
-  </message>
-  <message>
    <source>Model</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>模型</translation>
   </message>
   <message>
-   <source>Mean distance of the points that had a say, px of the picture</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>参与拟合的点的平均距离，以图片 px 计</translation>
-  </message>
-  <message>
    <source>Residuals by element</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>各元素的残差</translation>
-  </message>
-  <message>
-   <source>Save as the frame's camera</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>保存为本帧的相机</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see the camera its clicks give.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>打开图片文件夹以查看点击得出的相机。</translation>
-  </message>
-  <message>
-   <source>The live fit is off (Ctrl+T).</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>实时拟合已关闭（Ctrl+T）。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>已隐藏：盲标模式在提交本帧后显示拟合。</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
@@ -4767,7 +4702,7 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message>
    <source>JaC at {tau:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/curves.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/fit.py, procc_annotator/gui/panels/plots/pages.py, procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>{tau:.1f} px 下的 JaC</translation>
   </message>
   <message>
@@ -4781,14 +4716,9 @@ Open a folder of pictures to check their labels.</source>
    <translation>JaC：{terms}；残差：图片 px，{width}x{height}</translation>
   </message>
   <message>
-   <source>Standard deviation, as the fit estimates it</source>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>由拟合估计的标准差</translation>
-  </message>
-  <message>
-   <source>Taken for a mistake: it had no say in the fit</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>视为错误：未参与拟合</translation>
+   <translation>拟合什么。自动：点击所能支持的最简模型</translation>
   </message>
   <message>
    <source>mean residual</source>
@@ -4797,97 +4727,97 @@ Open a folder of pictures to check their labels.</source>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
-   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>
     <numerusform>{n} 个未处理</numerusform>
    </translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>{shown:,} / {frames}</translation>
   </message>
   <message>
    <source>all done</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>全部完成</translation>
-  </message>
-  <message>
-   <source>⚠ unreadable</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ 无法读取</translation>
-  </message>
-  <message>
-   <source>⚠ camera</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation>⚠ 相机</translation>
   </message>
   <message>
    <source>not annotated</source>
    <comment>a frame</comment>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>未标注</translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ 无法读取</translation>
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
+   <translation>⚠ 相机</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} done</source>
-   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frame_rows.py]</extracomment>
    <translation>
     <numerusform>{n:,} 帧完成</numerusform>
    </translation>
   </message>
   <message>
    <source>● not saved</source>
-   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frame_delegate.py]</extracomment>
    <translation>● 未保存</translation>
   </message>
   <message>
-   <source>Filter frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
-   <translation>筛选帧</translation>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>图片无法读取</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>帧</translation>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>平均 JaC {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>已折叠</translation>
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frame_rows.py]</extracomment>
+   <translation>已展开</translation>
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>筛选帧</translation>
   </message>
   <message>
    <source>No frames.
 Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>没有帧。
 打开图片文件夹（jpg、png、bmp、webp），或拖放到此处。</translation>
   </message>
   <message>
    <source>Nothing matches “{query}”.</source>
-   <extracomment>[procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>没有内容匹配“{query}”。</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>帧</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
-   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/frames_panel.py]</extracomment>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>
     <numerusform>{n:,} 个文件夹中的{frames}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>the picture cannot be read</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>图片无法读取</translation>
-  </message>
-  <message>
-   <source>mean JaC {jac:.3f}</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>平均 JaC {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>folded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>已折叠</translation>
-  </message>
-  <message>
-   <source>unfolded</source>
-   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation>已展开</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
@@ -4930,12 +4860,17 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>由 {frames} 三角测量得出</translation>
   </message>
   <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>此瞬间的其他视图：点击前往</translation>
+  </message>
+  <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>{title} 尚未在任何帧中点击：请在两个已标定的视图中点击以进行三角测量。</translation>
   </message>
   <message>
-   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name next to Add to triangulate it.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>在此点击但尚非地标：{names}。请在“添加”旁写名称以进行三角测量。</translation>
   </message>
@@ -4950,11 +4885,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>实测</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>地标</translation>
-  </message>
-  <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>新地标</translation>
@@ -4963,11 +4893,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>添加</translation>
-  </message>
-  <message>
-   <source>Have a new landmark, to be clicked (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>新建地标以供点击（回车）</translation>
   </message>
   <message>
    <source>What people call it</source>
@@ -4985,24 +4910,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>设定</translation>
   </message>
   <message>
-   <source>The place was measured: it stays as it is from now on (Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>该位置为实测：从现在起保持不变（回车）</translation>
-  </message>
-  <message>
    <source>Triangulate</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>三角测量</translation>
-  </message>
-  <message>
-   <source>Forget this landmark; clicks on it stay in the annotations</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>忘记此地标；对它的点击保留在标注中</translation>
-  </message>
-  <message>
-   <source>Other views of this instant: go to one with a click</source>
-   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>此瞬间的其他视图：点击前往</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
@@ -5035,7 +4945,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>在列表中选择地标以进行三角测量。</translation>
   </message>
   <message>
-   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <source>Only a landmark that has a name can be triangulated: write one next to Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>只有有名称的地标才能进行三角测量：请在“添加”旁写一个。</translation>
   </message>
@@ -5045,6 +4955,26 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>
     <numerusform>{names} 以及另外 {n} 个</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
+   <translation>地标</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>新建地标以供点击（回车）</translation>
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>该位置为实测：从现在起保持不变（回车）</translation>
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>忘记此地标；对它的点击保留在标注中</translation>
   </message>
   <message>
    <source>Title</source>
@@ -5067,7 +4997,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>正在三角测量…</translation>
   </message>
   <message>
-   <source>a landmark needs a name: write one beside Add</source>
+   <source>a landmark needs a name: write one next to Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>地标需要名称：请在“添加”旁写一个</translation>
   </message>
@@ -5080,163 +5010,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>地标 {title}</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>JaC 随 tau 变化</translation>
-  </message>
-  <message>
-   <source>JaC over the frames</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>各帧的 JaC</translation>
-  </message>
-  <message>
-   <source>No scores yet. They are computed in the background, frame by frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>尚无得分。正在后台逐帧计算。</translation>
-  </message>
-  <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>{name}（第 {n} 帧）</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>本帧没有得分：未标注，或显示的源都没有其相机。</translation>
-  </message>
-  <message>
-   <source>tau (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau (px)</translation>
-  </message>
-  <message>
-   <source>frame</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>帧</translation>
-  </message>
-  <message>
-   <source>Each curve is the mean of the frames that source has a camera for.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>每条曲线是该源有相机的帧的平均。</translation>
-  </message>
-  <message>
-   <source>Shaded: 95 % bands, {drawn}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>阴影：95 % 带，{drawn}。</translation>
-  </message>
-  <message>
-   <source>tau {px:.1f} px</source>
-   <extracomment>[procc_annotator/gui/panels/plots/curves.py]</extracomment>
-   <translation>tau {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>已隐藏：盲标模式只显示已提交的帧，而此图表中没有。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>已隐藏：盲标模式在提交本帧后显示此图表。</translation>
-  </message>
-  <message>
-   <source>Shots are told by names, since {error}.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/data.py]</extracomment>
-   <translation>镜头按名称识别，因为{error}。</translation>
-  </message>
-  <message>
-   <source>Errors, as a histogram</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>误差直方图</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} points without a distance left out.</source>
-   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个没有距离的点已排除。</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>Residuals over the picture</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>图片上的残差</translation>
-  </message>
-  <message>
-   <source>reprojection error (px)</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>重投影误差 (px)</translation>
-  </message>
-  <message>
-   <source>points</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>点</translation>
-  </message>
-  <message>
-   <source>The last bar holds all larger errors.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>最后一条包含所有更大的误差。</translation>
-  </message>
-  <message>
-   <source>{px:g} px or more</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{px:g} px 或更大</translation>
-  </message>
-  <message>
-   <source>{name} {part:,} of {total:,}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>{name} {part:,} / {total:,}</translation>
-  </message>
-  <message>
-   <source>No point of {element} in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>本帧没有 {element} 的点。</translation>
-  </message>
-  <message>
-   <source>No point of {element} so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>目前没有 {element} 的点。</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects in this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>本帧没有被显示源投影的标注点。</translation>
-  </message>
-  <message>
-   <source>No annotated point that a shown source projects so far.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>目前没有被显示源投影的标注点。</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>箭头放大绘制</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>箭头绘制为实际长度的多少倍</translation>
-  </message>
-  <message>
-   <source>automatic</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>自动</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>箭头为实际长度的 {factor} 倍：从点击指向投影。</translation>
-  </message>
-  <message>
-   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>箭头为实际长度的 {factor} 倍：图片中每个有 5 个或更多点的部分的残差中位数。</translation>
-  </message>
-  <message>
-   <source>Too few points so far: five in a part of the picture make an arrow.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/errors.py]</extracomment>
-   <translation>点尚太少：图片的一个部分有五个点才成一个箭头。</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
@@ -5279,9 +5052,176 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{frames}，截至已评分部分</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>已隐藏：盲标模式只显示已提交的帧，而此图表中没有。</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>已隐藏：盲标模式在提交本帧后显示此图表。</translation>
+  </message>
+  <message>
    <source>Sources: {names}</source>
-   <extracomment>[procc_annotator/gui/panels/plots/legend.py]</extracomment>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
    <translation>源：{names}</translation>
+  </message>
+  <message>
+   <source>Shots are recognized by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/page.py]</extracomment>
+   <translation>镜头按名称识别，因为{error}。</translation>
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>JaC 随 tau 变化</translation>
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>各帧的 JaC</translation>
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>尚无得分。正在后台逐帧计算。</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>误差直方图</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个没有距离的点已排除。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>图片上的残差</translation>
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name}（第 {n} 帧）</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>本帧没有得分：未标注，或显示的源都没有其相机。</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>箭头绘制为实际长度的多少倍</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>箭头放大绘制</translation>
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau (px)</translation>
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>帧</translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>重投影误差 (px)</translation>
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>点</translation>
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>最后一条包含所有更大的误差。</translation>
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{px:g} px 或更大</translation>
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} {part:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>本帧没有 {element} 的点。</translation>
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>目前没有 {element} 的点。</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>本帧没有被显示源投影的标注点。</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>目前没有被显示源投影的标注点。</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>自动</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>箭头为实际长度的 {factor} 倍：从点击指向投影。</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>箭头为实际长度的 {factor} 倍：图片中每个有 5 个或更多点的部分的残差中位数。</translation>
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>每条曲线是该源有相机的帧的平均。</translation>
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>阴影：95 % 带，{drawn}。</translation>
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>点尚太少：图片的一个部分有五个点才成一个箭头。</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>复制或保存图表及其数值</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>只绘制一个元素的点</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
@@ -5299,41 +5239,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>保存</translation>
   </message>
   <message>
-   <source>Copy or save the plot and its numbers</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>复制或保存图表及其数值</translation>
-  </message>
-  <message>
-   <source>Copy or save the plot</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>复制或保存图表</translation>
-  </message>
-  <message>
    <source>Plot</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>图表</translation>
-  </message>
-  <message>
-   <source>Plot the frame on screen, or all frames scored so far</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>绘制屏幕上的帧，或目前已评分的所有帧</translation>
-  </message>
-  <message>
-   <source>Plot the points of one element only</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>只绘制一个元素的点</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see plots.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>打开图片文件夹以查看图表。</translation>
-  </message>
-  <message>
-   <source>No camera to judge.
-Load cameras to see how well they agree with your clicks.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>没有可评判的相机。
-加载相机以查看其与您的点击的吻合程度。</translation>
   </message>
   <message>
    <source>This plot could not be computed: {error}.</source>
@@ -5344,6 +5252,11 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>({n:,} committed)</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>（已提交 {n:,}）</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>复制或保存图表</translation>
   </message>
   <message>
    <source>Copy picture</source>
@@ -5366,6 +5279,11 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>保存数值…</translation>
   </message>
   <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>绘制屏幕上的帧，或目前已评分的所有帧</translation>
+  </message>
+  <message>
    <source>Computing…</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>正在计算…</translation>
@@ -5381,7 +5299,7 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>（无得分）</translation>
   </message>
   <message>
-   <source>Nobody has edited this frame here</source>
+   <source>This frame has not been edited here</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>此处尚无人编辑过本帧</translation>
   </message>
@@ -5421,34 +5339,9 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>{seconds} 秒</translation>
   </message>
   <message>
-   <source>Committed in blind mode by {author}</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{author} 以盲标模式提交</translation>
-  </message>
-  <message>
-   <source>{minutes}:{seconds:02d} min</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>{minutes}:{seconds:02d} 分</translation>
-  </message>
-  <message>
-   <source>Time worked on this frame; pauses over 30 s do not count</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>在本帧上的工作时间；超过 30 秒的停顿不计</translation>
-  </message>
-  <message>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>本帧的点如何产生</translation>
-  </message>
-  <message>
-   <source>Comments</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>评论</translation>
-  </message>
-  <message>
-   <source>No comments on this frame.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>本帧没有评论。</translation>
   </message>
   <message>
    <source>Comment on this frame</source>
@@ -5461,9 +5354,29 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>将评论加入讨论（回车）</translation>
   </message>
   <message>
-   <source>Open a folder of pictures first.</source>
-   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>请先打开图片文件夹。</translation>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{author} 以盲标模式提交</translation>
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{minutes}:{seconds:02d} 分</translation>
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>本帧没有评论。</translation>
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>在本帧上的工作时间；超过 30 秒的停顿不计</translation>
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>评论</translation>
   </message>
   <message>
    <source>Points: {kinds}</source>
@@ -5591,9 +5504,9 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>本帧的相机和点击均正确</translation>
   </message>
   <message>
-   <source>Scores by element</source>
+   <source>What causes the score of this frame; saved with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>各元素得分</translation>
+   <translation>本帧得分的错误归属；随数据集保存</translation>
   </message>
   <message>
    <source>Precision</source>
@@ -5641,14 +5554,19 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>点：{kinds}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>错误归属</translation>
+   <translation>{verdict}；再按一次撤回（{key}）</translation>
   </message>
   <message>
-   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>本帧得分的错误归属；随数据集保存</translation>
+   <translation>判定：{verdict}</translation>
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation>各元素得分</translation>
   </message>
   <message>
    <source>Copy this explanation</source>
@@ -5659,11 +5577,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>Copy all explanations</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>复制所有说明</translation>
-  </message>
-  <message>
-   <source>Open a folder of pictures to see scores.</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>打开图片文件夹以查看得分。</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -5683,14 +5596,14 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>没有可评判的拟合：{why}。</translation>
   </message>
   <message>
-   <source>Verdict: {verdict}</source>
+   <source>Counts as {class_name}</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>判定：{verdict}</translation>
+   <translation>计为 {class_name}</translation>
   </message>
   <message>
-   <source>{verdict}; once more takes it back ({key})</source>
+   <source>Fault</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>{verdict}；再按一次撤回（{key}）</translation>
+   <translation>错误归属</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5706,11 +5619,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>Annotated elements that the camera does not project</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
    <translation>已标注但相机未投影的元素</translation>
-  </message>
-  <message>
-   <source>Counts as {class_name}</source>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>计为 {class_name}</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -5797,49 +5705,34 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>标注</translation>
   </message>
   <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>盲标：提交本帧之前隐藏相机（Ctrl+回车）</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>请先加载相机：没有可评分的内容</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>请先打开图片文件夹</translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>实时拟合已关闭（Ctrl+T）</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation>{text}。</translation>
+  </message>
+  <message>
    <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/state/background.py]</extracomment>
    <translation>意外错误（{what}）</translation>
-  </message>
-  <message>
-   <source>{who} unlocked this dataset from blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} 于 {day} 解除了此数据集的盲标模式</translation>
-  </message>
-  <message>
-   <source>{reason}: there is no live fit in it</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}：其中没有实时拟合</translation>
-  </message>
-  <message>
-   <source>Somebody</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>某人</translation>
-  </message>
-  <message>
-   <source>{who} locked this dataset to blind mode on {day}</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{who} 于 {day} 将此数据集锁定为盲标模式</translation>
-  </message>
-  <message>
-   <source>This dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>此数据集已锁定为盲标模式</translation>
-  </message>
-  <message>
-   <source>{reason}: menu Frame unlocks it, which is recorded</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason}：可在“帧”菜单中解锁，并会记录</translation>
-  </message>
-  <message>
-   <source>this dataset is locked to blind mode</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>此数据集已锁定为盲标模式</translation>
-  </message>
-  <message>
-   <source>this dataset is not locked to blind mode any more</source>
-   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>此数据集不再锁定为盲标模式</translation>
   </message>
   <message>
    <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
@@ -6007,11 +5900,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>两个相机在本帧中相同。</translation>
   </message>
   <message>
-   <source>Blind: hidden until this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>盲标：提交本帧之前隐藏。</translation>
-  </message>
-  <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>未评判任何源：请先选择一个。</translation>
@@ -6025,11 +5913,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>The fitted camera sees no part of the field.</source>
    <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
    <translation>拟合相机看不到场地的任何部分。</translation>
-  </message>
-  <message>
-   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
-   <extracomment>[procc_annotator/gui/state/maps.py]</extracomment>
-   <translation>实时拟合已关闭，因此没有不确定度图（Ctrl+T 打开）。</translation>
   </message>
   <message>
    <source>There is no fit of this frame, so no uncertainty map.</source>
@@ -6072,38 +5955,28 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>没有其他场地更符合这里的类别</translation>
   </message>
   <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>本帧之后的所有帧均已标注</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>本帧之前的所有帧均已标注</translation>
-  </message>
-  <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>无法写入 {folder}：此处的标注都无法保存</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>尚未全部保存：未打开另一个数据集</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>尚未全部保存：未打开视频</translation>
   </message>
   <message>
    <source>nothing is open</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>未打开任何内容</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
-   <extracomment>[procc_annotator/gui/state/navigation/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>此数据集的场地：{field}</translation>
   </message>
   <message>
@@ -6112,14 +5985,14 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>{title}：无法寻找其线：{why}</translation>
   </message>
   <message>
-   <source>the live fit is off</source>
-   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
-   <translation>实时拟合已关闭</translation>
-  </message>
-  <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/live_fit.py]</extracomment>
    <translation>拟合失败：{why}</translation>
+  </message>
+  <message>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} 于 {day} 解除了此数据集的盲标模式</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -6130,6 +6003,26 @@ Load cameras to see how well they agree with your clicks.</source>
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>仅对您有效：无法写入数据集的文件夹</translation>
+  </message>
+  <message>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}：其中没有实时拟合</translation>
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>此数据集已锁定为盲标模式</translation>
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>某人</translation>
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{who} 于 {day} 将此数据集锁定为盲标模式</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
@@ -6147,14 +6040,29 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>仅在此窗口中：无法写入任何内容</translation>
   </message>
   <message>
-   <source>{path}: no cameras in it ({what_to_do})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
-   <translation>{path}：其中没有相机（{what_to_do}）</translation>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>此数据集不再锁定为盲标模式</translation>
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{reason}：可在“帧”菜单中解锁，并会记录</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>此数据集已锁定为盲标模式</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
-   <extracomment>[procc_annotator/gui/state/scoring/camera_sources.py]</extracomment>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
    <translation>{path}：没有相机与帧同名（相机名如 {camera!r}，帧名如 {frame!r}）</translation>
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/scoring/commands.py]</extracomment>
+   <translation>{path}：其中没有相机（{what_to_do}）</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
@@ -6194,61 +6102,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>标注无法读取</translation>
   </message>
   <message>
-   <source>Ghost of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title} 的虚影</translation>
-  </message>
-  <message>
-   <source>Accept</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>接受</translation>
-  </message>
-  <message>
-   <source>Look closely</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>近看</translation>
-  </message>
-  <message>
-   <source>Not visible here</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py, the action not_visible]</extracomment>
-   <translation>此处不可见</translation>
-  </message>
-  <message>
-   <source>Drawing {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>正在绘制 {title}</translation>
-  </message>
-  <message>
-   <source>Split here: the rest becomes</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>在此分割：其余部分变为</translation>
-  </message>
-  <message>
-   <source>Not visible here: take back</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>此处不可见：撤回</translation>
-  </message>
-  <message>
-   <source>Change class to (swaps with an annotated one)</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>更改类别为（与已标注的互换）</translation>
-  </message>
-  <message>
-   <source>Point {number} of {title}</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title} 的点 {number}</translation>
-  </message>
-  <message>
-   <source>Merge into</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>合并到</translation>
-  </message>
-  <message>
-   <source>{title}, unconfirmed</source>
-   <extracomment>[procc_annotator/gui/window/canvas_menu.py]</extracomment>
-   <translation>{title}，未确认</translation>
-  </message>
-  <message>
    <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>回车执行 · ↑ ↓ 选择 · Esc 关闭</translation>
@@ -6269,16 +6122,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>打开</translation>
   </message>
   <message>
-   <source>Nothing is called “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>没有名为“{text}”的内容。</translation>
-  </message>
-  <message>
-   <source>Frame {number} of {count}</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>第 {number} 帧，共 {count} 帧</translation>
-  </message>
-  <message>
    <source>An action, element, frame, camera source, folder, number</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>操作、元素、帧、相机源、文件夹、数字</translation>
@@ -6289,14 +6132,34 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>查找任何内容</translation>
   </message>
   <message>
-   <source>What fits</source>
+   <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>匹配项</translation>
+   <translation>没有名为“{text}”的内容。</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>阈值 {px:g} px</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>第 {number} 帧，共 {count} 帧</translation>
   </message>
   <message>
    <source>Go to this frame</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>前往此帧</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>用此 tau 评判元素</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>匹配项</translation>
   </message>
   <message>
    <source>Judge {source}</source>
@@ -6329,24 +6192,29 @@ Load cameras to see how well they agree with your clicks.</source>
    <translation>打开此面板并置于最前</translation>
   </message>
   <message>
-   <source>Threshold {px:g} px</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>阈值 {px:g} px</translation>
-  </message>
-  <message>
-   <source>Judge elements by this tau</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>用此 tau 评判元素</translation>
-  </message>
-  <message>
    <source>on</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>开</translation>
   </message>
   <message>
    <source>off</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/window_settings.py]</extracomment>
    <translation>关</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action guide]</extracomment>
+   <translation>用户指南</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>在本页查找</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>用户指南为英文。</translation>
   </message>
   <message>
    <source>this installation came without its user guide</source>
@@ -6366,6 +6234,11 @@ Annotate and audit sports-camera calibrations.</source>
 用 ProCC 协议标注并审核体育相机标定。</translation>
   </message>
   <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>标题</translation>
+  </message>
+  <message>
    <source>no cameras are loaded (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
    <translation>未加载相机（Ctrl+L）</translation>
@@ -6381,26 +6254,6 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>请加载第二组相机以进行比较（Ctrl+L）</translation>
   </message>
   <message>
-   <source>Find words in this page</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>在本页查找</translation>
-  </message>
-  <message>
-   <source>The user guide is in English.</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>用户指南为英文。</translation>
-  </message>
-  <message>
-   <source>User guide</source>
-   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
-   <translation>用户指南</translation>
-  </message>
-  <message>
-   <source>Headings</source>
-   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
-   <translation>标题</translation>
-  </message>
-  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>自定义按键</translation>
@@ -6411,11 +6264,6 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>按键 (*.json)</translation>
   </message>
   <message>
-   <source>In the picture</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>在图片中</translation>
-  </message>
-  <message>
    <source>{menu}: {action}</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py, procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{menu}：{action}</translation>
@@ -6424,6 +6272,16 @@ Annotate and audit sports-camera calibrations.</source>
    <source>Search: a word, or a key. A click does what a row says.</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>搜索：词或按键。点击某行即执行。</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>在图片中</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>没有含“{text}”的按键、操作或元素。</translation>
   </message>
   <message>
    <source>Search: a word, or a key</source>
@@ -6446,29 +6304,9 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>按键</translation>
   </message>
   <message>
-   <source>Search the keys</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>搜索按键</translation>
-  </message>
-  <message>
-   <source>No key, action or element has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>没有含“{text}”的按键、操作或元素。</translation>
-  </message>
-  <message>
    <source>Change keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>更改按键</translation>
-  </message>
-  <message>
-   <source>Search</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>搜索</translation>
-  </message>
-  <message>
-   <source>All keys at once</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>一次设置所有按键</translation>
   </message>
   <message>
    <source>Only these</source>
@@ -6506,14 +6344,24 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>导入按键</translation>
   </message>
   <message>
-   <source>⚠ also: {what}</source>
-   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>⚠ 还有：{what}</translation>
-  </message>
-  <message>
    <source>New keys: press them here</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>新按键：在此按下</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>搜索按键</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>搜索</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>一次设置所有按键</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
@@ -6526,69 +6374,79 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>操作或元素</translation>
   </message>
   <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
+   <translation>⚠ 还有：{what}</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>更改类别为（与已标注的互换）</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>正在绘制 {title}</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>在此分割：其余部分变为</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title} 的虚影</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>接受</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>近看</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/menus.py, the action not_visible]</extracomment>
+   <translation>此处不可见</translation>
+  </message>
+  <message>
    <source>{action}: {step}</source>
    <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
    <translation>{action}：{step}</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>意外错误（{what}）；保存照常进行，详细信息在 {path}</translation>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title} 的点 {number}</translation>
   </message>
   <message>
-   <source>the details are copied; they are in {path}, too</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>详细信息已复制；也在 {path}</translation>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>此处不可见：撤回</translation>
   </message>
   <message>
-   <source>there was no unexpected error; they are logged in {path}</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>没有发生意外错误；错误记录在 {path}</translation>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>合并到</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/window/message_routing.py]</extracomment>
-   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
-  </message>
-  <message>
-   <source>Search the settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>搜索设置</translation>
-  </message>
-  <message>
-   <source>{setting}: back to {value}</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>{setting}：恢复为 {value}</translation>
-  </message>
-  <message>
-   <source>Settings</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>设置</translation>
-  </message>
-  <message>
-   <source>All to their defaults</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>全部恢复默认</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
-   <translation>更改按键…</translation>
-  </message>
-  <message>
-   <source>No setting has “{text}”.</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>没有含“{text}”的设置。</translation>
-  </message>
-  <message>
-   <source>none of your own</source>
-   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>未指定</translation>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{title}，未确认</translation>
   </message>
   <message>
    <source>ground ±{metres:.2f} m</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
    <translation>地面 ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>意外错误（{what}）；保存照常进行，详细信息在 {path}</translation>
   </message>
   <message>
    <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
@@ -6640,9 +6498,24 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>Esc 结束</translation>
   </message>
   <message>
-   <source>Rail</source>
-   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>工具栏</translation>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>本帧不可编辑。{problem}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>详细信息已复制；也在 {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>没有发生意外错误；错误记录在 {path}</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
   </message>
   <message>
    <source>Picture
@@ -6650,6 +6523,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
    <translation>图片
 亮度、对比度、伽马、线条增强：只改变您所看到的</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>工具栏</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -6662,19 +6540,24 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>阈值 tau：元素的所有点都更近时即通过（+ 和 -）</translation>
   </message>
   <message>
-   <source>saved {time}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>已保存 {time}</translation>
-  </message>
-  <message>
    <source>The camera set that is judged (C switches)</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>被评判的相机集（按 C 切换）</translation>
   </message>
   <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>本帧的状态（“审核”面板）</translation>
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>得分的计算条件：{terms}</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>已保存 {time}</translation>
   </message>
   <message numerus="yes">
    <source>NOT SAVED: {n} frames</source>
@@ -6689,11 +6572,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>顶栏</translation>
   </message>
   <message>
-   <source>Status of this frame (panel Review)</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>本帧的状态（“审核”面板）</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>场地：{field}</translation>
@@ -6704,19 +6582,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>点击以选择其他</translation>
   </message>
   <message>
-   <source>Threshold tau</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>阈值 tau</translation>
-  </message>
-  <message>
    <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>拟合的 &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6724,9 +6592,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>正在保存...</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;盲标&lt;/b&gt;：提交后可见 JaC</translation>
+   <translation>阈值 tau</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>拟合的 &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6734,12 +6607,17 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>无更改</translation>
   </message>
   <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>&lt;b&gt;盲标&lt;/b&gt;：提交后可见 JaC</translation>
+  </message>
+  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>将图片文件夹拖放到此处</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>标注以 SoccerNet JSON 形式读取并保存在图片旁。之后拖入相机文件夹，即可用您的点击评判它们。</translation>
   </message>
@@ -6777,6 +6655,41 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Nothing was opened yet</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>尚未打开任何内容</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>{setting}：恢复为 {value}</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>没有含“{text}”的设置。</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>设置</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>搜索设置</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>全部恢复默认</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
+   <translation>未指定</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/window_settings.py, the action keymap]</extracomment>
+   <translation>更改按键…</translation>
   </message>
   <message>
    <source>Scores</source>
@@ -7182,7 +7095,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>点击不起作用：没有可编辑的点，请先绘制元素</translation>
   </message>
   <message>
-   <source>click a point to drag it, beside it to let go</source>
+   <source>click a point to drag it, next to it to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击点以拖动，点在旁边则放开</translation>
   </message>
@@ -7251,7 +7164,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>点击标记它</translation>
   </message>
   <message>
-   <source>hold Ctrl to click beside the line</source>
+   <source>hold Ctrl to click off the line</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>按住 Ctrl 可点在线旁</translation>
   </message>
@@ -7448,7 +7361,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>打开第二位标注者…</translation>
   </message>
   <message>
-   <source>Draw and compare what somebody else clicked in the same frames</source>
+   <source>Draw and compare what another annotator clicked in the same frames</source>
    <extracomment>[the action open_second]</extracomment>
    <translation>绘制并比较他人在相同帧上的点击</translation>
   </message>
@@ -7903,7 +7816,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>下一个无标注</translation>
   </message>
   <message>
-   <source>Go on to the next frame where nothing is annotated</source>
+   <source>Go to the next frame without annotations</source>
    <extracomment>[the action next_unannotated]</extracomment>
    <translation>前往下一个没有标注的帧</translation>
   </message>
@@ -7913,7 +7826,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>上一个无标注</translation>
   </message>
   <message>
-   <source>Go back to the frame before where nothing is annotated</source>
+   <source>Go to the previous frame without annotations</source>
    <extracomment>[the action previous_unannotated]</extracomment>
    <translation>返回上一个没有标注的帧</translation>
   </message>
@@ -8018,7 +7931,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>下一个存疑帧</translation>
   </message>
   <message>
-   <source>Go on to the next frame whose track should be looked at</source>
+   <source>Go to the next frame whose track should be checked</source>
    <extracomment>[the action next_doubtful]</extracomment>
    <translation>前往下一个需要查看跟踪的帧</translation>
   </message>
@@ -8148,7 +8061,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>保留此视频帧</translation>
   </message>
   <message>
-   <source>Write the frame of the video as a picture beside its annotation</source>
+   <source>Write the frame of the video as a picture next to its annotation</source>
    <extracomment>[the action keep_frame]</extracomment>
    <translation>将视频的这一帧写为标注旁的图片</translation>
   </message>
@@ -8178,7 +8091,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>丢弃未确认的元素</translation>
   </message>
   <message>
-   <source>Throw away what was copied and nobody touched</source>
+   <source>Remove copied elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
    <translation>丢弃复制后无人改动的内容</translation>
   </message>
@@ -8343,7 +8256,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>吸附到线</translation>
   </message>
   <message>
-   <source>Clicks near a painted line go to its centre (hold Ctrl to click beside it)</source>
+   <source>Clicks near a painted line go to its centre (hold Ctrl to click off it)</source>
    <extracomment>[the action snapping, the setting snapping]</extracomment>
    <translation>画线附近的点击会移到其中心（按住 Ctrl 可点在旁边）</translation>
   </message>
@@ -8613,7 +8526,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>画线宽度</translation>
   </message>
   <message>
-   <source>Draw how wide the paint of the field's lines must appear, beside the projection</source>
+   <source>Draw how wide the field's lines must appear, along the projection</source>
    <extracomment>[the action painted_width, the setting painted_width]</extracomment>
    <translation>在投影旁绘制场地画线应有的宽度</translation>
   </message>
@@ -8663,9 +8576,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>帧条</translation>
   </message>
   <message>
-   <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
+   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>图片下方：视频或连续帧显示相机的好坏和已标注处；其他则显示带状态的缩略图</translation>
+   <translation>图片下方：视频或连续帧显示相机的好坏和已标注处</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
@@ -8808,7 +8721,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>绘制其他源</translation>
   </message>
   <message>
-   <source>Draw the sources ticked in the Cameras panel as wireframes beside the active one</source>
+   <source>Draw the sources ticked in the Cameras panel as wireframes, with the active one</source>
    <extracomment>[the action others]</extracomment>
    <translation>将相机面板中勾选的源以线框绘制在当前源旁</translation>
   </message>

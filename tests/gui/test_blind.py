@@ -435,7 +435,7 @@ def test_the_field_is_estimated_from_committed_frames_only(blind, qtbot):
     blind.actions_["field_dimensions"].trigger()
     dialog = blind.field_dimensions.dialog
     dialog.estimate_button.click()
-    assert "once a frame of it is committed" in dialog.found.text()
+    assert "once one of its frames is committed" in dialog.found.text()
     blind.services.navigator.go_to(blind.services.state.workspace.index[OTHER])
     blind.services.editing.commit_frame()
     dialog.estimate_button.click()

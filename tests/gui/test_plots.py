@@ -202,7 +202,7 @@ class TestTau:
         )
         turn_to(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
-        assert "Shots are told by names, since" in said(plotted)
+        assert "Shots are recognized by names, since" in said(plotted)
         assert "line 3: frame '1' again" in said(plotted)
 
     def test_an_edit_is_seen_at_once(self, plotted, qtbot):

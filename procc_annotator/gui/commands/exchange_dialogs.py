@@ -259,7 +259,7 @@ class ImportDialog(_ExchangeDialog):
         for known in FORMATS:
             if known.read is not None:
                 self.formats.addItem(known.title, known.name)
-        self.only_empty = QRadioButton(tr("Only frames where nothing is annotated yet"))
+        self.only_empty = QRadioButton(tr("Only frames without annotations"))
         self.only_empty.setChecked(True)
         self.replace = QRadioButton(tr("Replace what is annotated in the others, too"))
         self.replace.setToolTip(

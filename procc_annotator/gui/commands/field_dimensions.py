@@ -328,7 +328,7 @@ class FieldDimensionsTask(DialogTask):
         read = {name: own for name, own in meant.items() if revealed is None or name in revealed}
         if meant and not read:
             dialog.tell(
-                tr("Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).")
+                tr("Blind: the set is checked once one of its frames is committed (Ctrl+Enter).")
             )
             return
         hidden = len(meant) - len(read)

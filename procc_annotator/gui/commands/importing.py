@@ -288,8 +288,8 @@ def _said(outcome: EditedFrames, format_title: str) -> list[str]:
     )
     waiting = tr_count(
         outcome.waiting,
-        "Cancelled: {n:,} frame was not looked at.",
-        "Cancelled: {n:,} frames were not looked at.",
+        "Cancelled: {n:,} frame was not checked.",
+        "Cancelled: {n:,} frames were not checked.",
     )
     left = tr_count(
         annotated,

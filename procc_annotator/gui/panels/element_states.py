@@ -58,7 +58,7 @@ EXPLANATIONS = {
         "The camera projects it, it is not annotated (false positive)"
     ),
     ElementState.MISSED: word("Annotated, the camera does not project it (false negative)"),
-    ElementState.NOT_VISIBLE: word("Somebody said that it cannot be seen in this frame"),
+    ElementState.NOT_VISIBLE: word("Marked as not visible in this frame"),
     ElementState.NEXT: word("To be annotated next, as on the field map and in the picture"),
 }
 

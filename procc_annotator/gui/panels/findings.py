@@ -77,10 +77,10 @@ def _limit(services: Services, failure: str) -> str:
         )
     checked = services.label_check.checked
     if checked is not None and not checked.fitted:
-        return tr("The live fit is off: only the rules that need no camera are looked at.")
+        return tr("The live fit is off: only the rules that need no camera are checked.")
     if failure:
         return tr(
-            "No camera fits yet ({why}): only the rules that need none are looked at.", why=failure
+            "No camera fits yet ({why}): only the rules that need none are checked.", why=failure
         )
     return ""
 
@@ -112,8 +112,8 @@ def set_words(services: Services) -> str:
     if not check.set_checked:
         return tr_count(
             check.known.count,
-            "The set is not checked yet; {n:,} frame looked at so far.",
-            "The set is not checked yet; {n:,} frames looked at so far.",
+            "The set is not checked yet; {n:,} frame checked so far.",
+            "The set is not checked yet; {n:,} frames checked so far.",
         )
     if check.known.in_set():
         return problems

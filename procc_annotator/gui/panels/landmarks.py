@@ -237,13 +237,13 @@ class LandmarksPanel(Panel):
             if len(p.points) == 1 and not field.knows(field.canonical_name(p.class_name))
         ]
         if not names:
-            return tr("Only a landmark that has a name can be triangulated: write one beside Add.")
+            return tr("Only a landmark that has a name can be triangulated: write one next to Add.")
         named = ", ".join(names[:_MOST_NAMED])
         if (more := len(names) - _MOST_NAMED) > 0:
             named = tr_count(more, "{names} and {n} more", "{names} and {n} more", names=named)
         return tr(
-            "Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it"
-            " triangulated.",
+            "Clicked here, but no landmarks yet: {names}. Write a name next to Add to"
+            " triangulate it.",
             names=named,
         )
 
@@ -274,7 +274,7 @@ class LandmarksPanel(Panel):
     def _add(self) -> None:
         name = self.name.text().strip()
         if not name:
-            self._services.say(tr("a landmark needs a name: write one beside Add"), "warning")
+            self._services.say(tr("a landmark needs a name: write one next to Add"), "warning")
             self.name.setFocus()
         elif self._services.landmarks.add(name):
             self.name.clear()

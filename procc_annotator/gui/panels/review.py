@@ -33,7 +33,7 @@ from procc_annotator.interaction.palette import ORIGINS
 from procc_annotator.translation import tr, tr_count, word
 
 STATUS_TIPS = {
-    Status.UNTOUCHED: word("Nobody has edited this frame here"),
+    Status.UNTOUCHED: word("This frame has not been edited here"),
     Status.IN_PROGRESS: word("Begun, not done"),
     Status.DONE: word("The annotator is done (Ctrl+Enter)"),
     Status.APPROVED: word("A reviewer found it right (Ctrl+Shift+A)"),

@@ -149,7 +149,7 @@ class VerdictRow(QWidget):
         super().__init__()
         self._services = services
         self.buttons: dict[FaultParty, QToolButton] = {}
-        tip = tr("Whose fault the score of this frame is; kept with the dataset")
+        tip = tr("What causes the score of this frame; saved with the dataset")
         buttons = hbox(make_label(tr("Fault"), tip=tip), spacing=3)
         for fault in FaultParty:
             words = tr(_WORDS[fault], "a verdict")

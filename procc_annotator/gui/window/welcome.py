@@ -31,8 +31,8 @@ class Welcome(QWidget):
         title.setFont(font)
         text = make_label(
             tr(
-                "Annotations are read from and saved to SoccerNet JSON beside the pictures. "
-                "Drop a folder of cameras later, to see them judged against your clicks."
+                "Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a"
+                " folder of cameras later, to see them judged against your clicks."
             ),
             wrap=True,
         )

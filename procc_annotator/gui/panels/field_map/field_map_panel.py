@@ -363,8 +363,8 @@ class FieldMapPanel(Panel):
 
 def _words(suggestion: AnnotationSuggestion) -> str:
     return tr(
-        "Annotating it next tells most: the projection is then known to {after:.1f} px instead of"
-        " {before:.1f} px",
+        "Annotating it next helps most: the projection is then known to {after:.1f} px instead"
+        " of {before:.1f} px",
         after=suggestion.sd_after_px,
         before=suggestion.sd_before_px,
     )

@@ -102,7 +102,7 @@ class PlotRequest:
         try:
             return FrameOrder.read(self.order_file), ""
         except InputError as error:
-            return None, tr("Shots are told by names, since {error}.", error=error)
+            return None, tr("Shots are recognized by names, since {error}.", error=error)
 
     def why_nothing(self, otherwise: str) -> str:
         """Return why there is nothing to plot: blind mode, or the page's own reason."""
