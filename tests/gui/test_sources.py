@@ -18,6 +18,7 @@ from procc_annotator.gui.panels.widgets import ElidedLabel
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.window.top_bar import CameraBar
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
@@ -159,11 +160,12 @@ class TestRows:
             lambda: all(row.height() >= row.minimumSizeHint().height() for row in panel.list.rows)
         )
 
-    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, services, panel):
+    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, services, panel, show):
         row = child(panel, SourceRow, "cameras_row_1")
         at = row.jac.mapTo(row, row.jac.rect().center())
         QTest.mouseClick(row, Qt.MouseButton.LeftButton, pos=at)
         assert services.state.active.name == "bad"
+        assert show(CameraBar(services)).cameras.currentText() == "bad"
 
     def test_a_double_click_lets_the_name_be_typed(self, services, qtbot, panel):
         row = panel.list.rows[1]  # not one that is about to be deleted

@@ -299,7 +299,7 @@ def test_a_large_set_is_checked_in_a_process_of_its_own(open_services, annotated
 
 
 def test_an_ignored_finding_is_gone_until_its_element_changes(
-    services, open_services, annotated, qtbot, commands
+    services, open_services, annotated, qtbot, commands, panel
 ):
     check = services.label_check
     swap(services, qtbot)
@@ -313,6 +313,7 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     other.navigator.go_to(services.state.frame_index)
     checked(other, qtbot)
     assert [found.key for found in other.label_check.shown] == keys[1:]
+    qtbot.waitUntil(lambda: "ignored" in panel.empty.text() + panel.note.text())
     commands.restore()
     assert [found.key for found in check.shown] == keys
 
@@ -357,7 +358,7 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
     qtbot.waitUntil(both_know)
 
 
-def test_blind_mode_shows_only_what_no_camera_was_needed_for(mistaken, services, qtbot):
+def test_blind_mode_shows_only_what_no_camera_was_needed_for(mistaken, services, qtbot, panel):
     check = services.label_check
     check_set(services, qtbot)
     services.navigator.go_to(1)
@@ -376,6 +377,7 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(mistaken, services,
                 check.known.of(name)
                 == check_without_fit(annotation, services.state.field, size=size).found
             ), name
+    qtbot.waitUntil(lambda: "Blind" in panel.empty.text() + panel.note.text())
     services.editing.commit_frame()
     qtbot.waitUntil(lambda: bool(check.shown))
 
