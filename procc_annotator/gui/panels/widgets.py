@@ -245,7 +245,7 @@ LEFT_BY_ESCAPE = "left_by_escape"
 
 Margins = int | tuple[int, int, int, int]  # px, around or left, top, right, bottom
 W = TypeVar("W", bound=QWidget)
-Part = QWidget | QLayout | tuple[QWidget | QLayout, int] | None
+Part = QWidget | QLayout | tuple[QWidget | QLayout | None, int] | None
 
 
 def named(widget: W, name: str = "", *, tip: str = "", title: str = "") -> W:
@@ -270,7 +270,7 @@ def vbox(
     """Lay out parts one below the other.
 
     Args:
-        parts: widgets and layouts, each alone or with its stretch; None: a space that stretches.
+        parts: widgets and layouts, each alone or with its stretch; None: a space (stretch 1).
         of: the widget that the layout is for.
         spacing, margins: px between the parts and around them; None: those of the style.
     """
@@ -289,13 +289,13 @@ def _fill(box: B, parts: Iterable[Part], spacing: int | None, margins: Margins |
     if margins is not None:
         box.setContentsMargins(*((margins,) * 4 if isinstance(margins, int) else margins))
     for part in parts:
-        content, stretch = part if isinstance(part, tuple) else (part, 0)
+        content, stretch = part if isinstance(part, tuple) else (part, int(part is None))
         if isinstance(content, QWidget):
             box.addWidget(content, stretch)
         elif content is not None:
             box.addLayout(content, stretch)
         else:
-            box.addStretch(1)
+            box.addStretch(stretch)
     return box
 
 

@@ -321,7 +321,7 @@ class TopBar(QToolBar):
             _button("done", actions["commit"]),
             self.chip,
             (self.camera_bar, 1),
-            None,
+            (None, 0),  # where it is hidden
             self.saved,
             self.search,
         )
