@@ -199,7 +199,7 @@ class TestTakingHold:
         window.services.blind_lock.set_blind(True)
         assert not window.canvas.camera_drag.item.overlay.marks
         drag.drag(*places[1])
-        assert "blind mode" in window.status.hint.text()
+        assert window.status.hint.text().startswith("blind: the camera is hidden")
         assert window.services.corrections.here is None
         assert not window.canvas.camera_drag.item.overlay.strokes[1].segments.size
         window.services.blind_lock.set_blind(False)

@@ -112,11 +112,15 @@ def test_the_next_run_begins_at_the_same_work(make_window, dataset, in_front):
 def test_what_is_kept_in_another_form_is_passed_over(make_window, dataset):
     first = make_window(dataset)
     first.close()
-    Settings().set(KEPT, {"desk": 7, "judge": {"open": ["nothing", "fit"], "width": "wide"}})
+    judge = {"open": ["nothing", "fit"], "front": "fit"}
+    review = {"open": [], "front": "review", "width": "wide"}
+    Settings().set(KEPT, {"desk": 7, "judge": judge, "review": review})
     second = make_window(dataset)
     assert opened(second) == set(WORKSPACES["annotate"])
     second.panels.turn_to("judge")
     assert opened(second) == {"fit"}
+    second.panels.turn_to("review")
+    assert opened(second) == {"review"}
 
 
 @pytest.mark.new_window

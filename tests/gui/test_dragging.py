@@ -205,7 +205,7 @@ def test_a_list_in_which_nothing_changes_is_not_painted(begun, qtbot):
     def carried(by: QPoint) -> None:
         held.carry(by)
         qtbot.waitUntil(lambda: not refresher._stale)
-        qtbot.waitUntil(lambda: not refresher._resting.isActive())
+        qtbot.waitUntil(lambda: not refresher._timer.isActive())
 
     carried(WAY[0])
     panel.tree.viewport().installEventFilter(paints)
