@@ -203,8 +203,8 @@ class Job:
             deliver(parts)
 
     def _deliver_progress(self) -> None:
+        latest = self._control._take_progress()  # first: what comes after it is announced again
         self.deliver_partial()
-        latest = self._control._take_progress()
         if latest is not None and self._on_progress is not None and self._needed():
             self._on_progress(*latest)
 
