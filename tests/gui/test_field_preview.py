@@ -1,10 +1,11 @@
 """The window of ``field show``: map and elements of a file, as it is written."""
 
-import signal
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QTimer
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
@@ -86,16 +87,18 @@ def test_the_command_opens_it(monkeypatch, tmp_path):
     assert len(asked) == 2  # not without a terminal
 
 
-@pytest.mark.new_window
-def test_ctrl_c_in_the_terminal_closes_it(qapp):
-    before = signal.getsignal(signal.SIGINT)
-    try:
-        interrupt = QTimer(interval=50)
-        interrupt.timeout.connect(
-            lambda: signal.getsignal(signal.SIGINT) is before or signal.raise_signal(signal.SIGINT)
-        )  # not while the window is still being built
-        interrupt.start()
-        assert field_preview.run_preview("soccer") == 0
-    finally:
-        interrupt.stop()
-        signal.signal(signal.SIGINT, before)
+def test_ctrl_c_in_the_terminal_closes_it(tmp_path):
+    code = """
+import signal
+from procc_annotator.gui import app, field_preview
+application, before = app.application(), signal.getsignal(signal.SIGINT)
+interrupt = QTimer(interval=50)
+interrupt.timeout.connect(
+    lambda: signal.getsignal(signal.SIGINT) is before or signal.raise_signal(signal.SIGINT)
+)
+interrupt.start()
+raise SystemExit(field_preview.run_preview("soccer"))
+"""
+    own = {**os.environ, "XDG_CONFIG_HOME": str(tmp_path), "QT_QPA_PLATFORM": "offscreen"}
+    ended = subprocess.run([sys.executable, "-c", code], env=own, timeout=120, check=False)
+    assert ended.returncode == 0
