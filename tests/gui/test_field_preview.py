@@ -90,6 +90,7 @@ def test_the_command_opens_it(monkeypatch, tmp_path):
 def test_ctrl_c_in_the_terminal_closes_it(tmp_path):
     code = """
 import signal
+from PySide6.QtCore import QTimer
 from procc_annotator.gui import app, field_preview
 application, before = app.application(), signal.getsignal(signal.SIGINT)
 interrupt = QTimer(interval=50)
