@@ -254,7 +254,7 @@ def test_work_that_nobody_wants_any_more_is_left(qtbot):
     qtbot.waitUntil(begun.is_set)
     number.set(2)
     qtbot.waitUntil(lambda: value.value == 2)
-    assert left == [1]
+    qtbot.waitUntil(lambda: left == [1])
 
 
 def test_patience_is_asked_for_what_came_and_went(qtbot):
