@@ -89,18 +89,16 @@ class Triage(QObject):
     def ask_note(self) -> None:
         """Ask for a few words on the verdict."""
         services = self._services
-        source, frame = services.state.active, services.state.frame
-        verdict = None
-        if frame is not None and source is not None and services.state.projection_visible:
-            verdict = services.review.verdict(frame.name, source)
-        if frame is None or source is None or verdict is None:
+        source, name = services.state.active, services.state.frame_name
+        verdict = services.review.shown_verdict(name) if name is not None else None
+        if name is None or source is None or verdict is None:
             services.say(tr("mark the frame first: camera fault, annotation fault or fine"))
             return
         text, given = QInputDialog.getText(
             self._window, tr("Note on the verdict"), tr("What is wrong here:"), text=verdict.comment
         )
         if given:
-            services.review.set_verdict(frame.name, source, verdict.fault, text.strip())
+            services.review.set_verdict(name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 

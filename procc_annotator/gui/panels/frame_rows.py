@@ -436,6 +436,7 @@ class FramesModel(QAbstractListModel):
         unreadable = count if isinstance(count, str) else ""
         if not unreadable and thumbnail is not None and thumbnail.isNull():
             unreadable = tr("the picture cannot be read")
+        verdict = self._services.review.shown_verdict(frame.name)
         return RowInfo(
             frame.name.rpartition("/")[2] if self.folders else frame.name,
             thumbnail,
@@ -445,7 +446,7 @@ class FramesModel(QAbstractListModel):
             self.scores.get(frame.name),
             (record := self._services.review.record(frame.name)).status,
             record.open_comments,
-            self._services.review.shown_verdict(frame.name),
+            None if verdict is None else verdict.fault,
             self._services.label_check.known.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
             self._depth(index),

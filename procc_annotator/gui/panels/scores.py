@@ -170,11 +170,8 @@ class VerdictRow(QWidget):
 
     def refresh(self) -> None:
         """Show what is known now."""
-        services = self._services
-        frame, source = services.state.frame, services.state.active
-        verdict = None
-        if frame is not None and source is not None and services.state.projection_visible:
-            verdict = services.review.verdict(frame.name, source)
+        name = self._services.state.frame_name
+        verdict = self._services.review.shown_verdict(name) if name is not None else None
         for fault, button in self.buttons.items():
             button.setChecked(verdict is not None and verdict.fault is fault)
         show_note(self.note, f"“{verdict.comment}”" if verdict is not None and verdict.comment

@@ -188,14 +188,13 @@ class ReviewState(QObject):
         found = self.database.verdicts(frame)
         return found.get(self.place(source)) or found.get(place_by_name(source.name))
 
-    def shown_verdict(self, frame: str) -> FaultParty | None:
+    def shown_verdict(self, frame: str) -> Verdict | None:
         """Return whose fault a frame's score with the active source is; None while blind mode
         hides it."""
         source = self._store.state.active
         if source is None or not self._store.state.reveals(frame):
             return None
-        verdict = self.verdict(frame, source)
-        return None if verdict is None else verdict.fault
+        return self.verdict(frame, source)
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
         """Return what was found of every frame, by frame and the camera source's place."""

@@ -178,7 +178,8 @@ class SteadyLabel(QLabel):
             metrics = self.fontMetrics()
         wide = max(map(metrics.horizontalAdvance, (words, self._least)))
         # Where it is the same Qt does nothing.
-        self.setFixedSize(wide + margins.left() + margins.right() + 2, metrics.height() + 2)
+        across, down = margins.left() + margins.right(), margins.top() + margins.bottom()
+        self.setFixedSize(wide + across + 2, metrics.height() + down + 2)
 
 
 class StatusLine(QStatusBar):

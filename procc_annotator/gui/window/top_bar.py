@@ -151,14 +151,14 @@ class CameraBar(QWidget):
 _SAVED_PAD = 4
 
 
-class SaveState(QLabel):
+class SaveState(SteadyLabel):
     """Says so in a word or two; what is not saved stands out."""
 
     def __init__(self, services: Services) -> None:
-        super().__init__()
+        super().__init__(tr("saved {time}", time="00:00:00"))
         self.setObjectName("savedState")
         self.setFont(fixed_width(self.font()))
-        self.setMargin(_SAVED_PAD)
+        self.setContentsMargins(*[_SAVED_PAD] * 4)
         self.setBackgroundRole(QPalette.ColorRole.Window)  # not that of a tool bar
         self._services = services
         store = services.store
@@ -168,11 +168,7 @@ class SaveState(QLabel):
         self._show()
 
     def set_saved(self, text: str, *, alarm: bool = False) -> None:
-        """Show some words; an alarm stands out.
-
-        There is always room for the usual words: neighbours stay where they are, and Qt need not
-        lay out the bar.
-        """
+        """Show some words; an alarm stands out."""
         self.setText(text)
         if alarm != self.autoFillBackground():
             colours, font = QPalette(), self.font()
@@ -184,10 +180,6 @@ class SaveState(QLabel):
             self.setPalette(colours)
             self.setFont(font)
             self.setAutoFillBackground(alarm)
-        words = (text, tr("saved {time}", time="00:00:00"))
-        metrics = self.fontMetrics()
-        width = max(map(metrics.horizontalAdvance, words)) + 2 * _SAVED_PAD
-        self.setFixedSize(width, metrics.height() + 2 * _SAVED_PAD)
 
     def _show(self) -> None:
         saver = self._services.saver
