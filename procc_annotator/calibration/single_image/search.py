@@ -30,7 +30,6 @@ from procc_annotator.calibration.single_image.field_points import (
     visible_line_points,
 )
 from procc_annotator.calibration.single_image.icp_refinement import (
-    ChamferAgreement,
     CoarseLineGrid,
     ImageLinePixels,
     LineDistanceMaps,
@@ -253,17 +252,14 @@ class RankedCameras:
     Attributes:
         vectors: (B, 11).
         scores: (B,) agreement less what their unlikeliness costs.
-        agreement: of each.
     """
 
     vectors: FloatArray
     scores: FloatArray
-    agreement: ChamferAgreement
 
     def chosen(self, rows: IntArray) -> RankedCameras:
         """Some of them."""
-        both = ChamferAgreement(self.agreement.coverage[rows], self.agreement.explained[rows])
-        return RankedCameras(self.vectors[rows], self.scores[rows], both)
+        return RankedCameras(self.vectors[rows], self.scores[rows])
 
 
 def search_cameras(
@@ -317,7 +313,7 @@ def rank_cameras(
     found = chamfer_agreement(
         scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
     )
-    return RankedCameras(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
+    return RankedCameras(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors))
 
 
 def _distinct_cameras(
