@@ -1,4 +1,4 @@
-"""Locate bundled resources and the user's data folder."""
+"""Locate bundled resources and the user's data and cache folders."""
 
 from __future__ import annotations
 
@@ -34,5 +34,22 @@ def data_folder() -> Path | None:
         named, usual = "", "~/Library/Application Support"
     else:
         named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
+    folder = named if os.path.isabs(named) else os.path.expanduser(usual)
+    return Path(folder) if os.path.isabs(folder) else None
+
+
+def cache_folder() -> Path | None:
+    """Return where programs keep what they can compute again (on Linux as the XDG base directories
+    say).
+
+    Returns:
+        None when the user has no home.
+    """
+    if sys.platform == "win32":
+        return data_folder()
+    if sys.platform == "darwin":
+        named, usual = "", "~/Library/Caches"
+    else:
+        named, usual = os.environ.get("XDG_CACHE_HOME", ""), "~/.cache"
     folder = named if os.path.isabs(named) else os.path.expanduser(usual)
     return Path(folder) if os.path.isabs(folder) else None

@@ -16,15 +16,20 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
 from procc_annotator.batch.set_run import SetRun
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.single_image.pixel_aspect import (
+    PixelAspect,
+    most_probable_aspect,
+    possible_pixel_aspects,
+)
+from procc_annotator.calibration.single_image.probability import SURE_FROM, ProposalEvidence
 from procc_annotator.calibration.single_image.proposal import (
     SURE,
-    UNSURE,
     KnownPosition,
     Proposal,
     cluster_camera_positions,
     cluster_fit_positions,
 )
-from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.single_image.propose import found_camera, propose_camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import CameraError, InputError, ProccError, UsageError
@@ -136,15 +141,24 @@ class WithPlugin:
 
     Attributes:
         name: of the detector.
+        pixels, sure_from: see `propose_camera`.
     """
 
     name: str
+    pixels: PixelAspect | None = None
+    sure_from: float = SURE_FROM
 
     def __call__(
         self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
     ) -> Proposal:
         hinted = _positions(self.hints(picture, field))
-        return propose_camera(picture, field, known=(*known, *hinted))
+        return propose_camera(
+            picture,
+            field,
+            known=(*known, *hinted),
+            pixels=self.pixels,
+            sure_from=self.sure_from,
+        )
 
     def hints(self, picture: PixelArray, field: Field) -> list[PinholeCamera]:
         """The cameras that the detector's answers come to.
@@ -256,19 +270,51 @@ class ProposeCameras:
         except InputError as error:
             return Proposed(frame.name, error=str(error))
         field = field_for_frame(self.field, frame.name)
-        proposal = mark_non_square_pixels(
-            self.propose(picture, field, known=self.known), frame.image_path
-        )
+        proposal = self.propose(picture, field, known=self.known)
         return Proposed(frame.name, proposal, time.perf_counter() - began)
 
 
-def mark_non_square_pixels(proposal: Proposal, picture: Path) -> Proposal:
-    """A camera is not sure if the picture is of a video whose pixels are not square."""
+def video_pixel_aspect(picture: Path) -> PixelAspect | None:
+    """The pixels of the video that a frame is of, where its metadata say that they are not
+    square."""
     found = video_frame_of_path(picture)
-    squeezed = "" if found is None else open_shared_video(found[0]).squeezed
-    if proposal.state != SURE or not squeezed:
-        return proposal
-    return replace(proposal, state=UNSURE, reason=squeezed)
+    aspect = 1.0 if found is None else open_shared_video(found[0]).pixel_aspect
+    return None if aspect == 1 else PixelAspect(aspect, 1.0)
+
+
+_ASPECT_PICTURES, _CERTAIN = 12, 0.999
+
+
+def set_pixel_aspect(frames: Sequence[Frame], field: Field) -> PixelAspect | None:
+    """Find out how wide the pixels of a set are, from some of its pictures.
+
+    Args:
+        frames: of one source.
+        field: the elements, metres.
+
+    Returns:
+        None where pictures have a shape that cameras make.
+    """
+    stated = video_pixel_aspect(frames[0].image_path) if frames else None
+    if stated is not None:
+        return stated
+    possible: Sequence[PixelAspect] = ()
+    evidence: list[list[ProposalEvidence | None]] = []
+    for frame in frames[:: max(len(frames) // _ASPECT_PICTURES, 1)][:_ASPECT_PICTURES]:
+        try:
+            picture = decode_for_camera(frame.image_path)
+        except InputError:  # the run lists it
+            continue
+        own = possible_pixel_aspects((picture.shape[1], picture.shape[0]))
+        if len(own) == 1 or (possible and own != possible):
+            return None
+        possible, evidence = own, evidence or [[] for _ in own]
+        for aspect, of_pictures in zip(own, evidence, strict=True):
+            best = found_camera(picture, field_for_frame(field, frame.name), aspect.value)
+            of_pictures.append(best.evidence if best else None)
+        if most_probable_aspect(possible, evidence).probability > _CERTAIN:
+            break
+    return most_probable_aspect(possible, evidence) if possible else None
 
 
 class ProposalRun(SetRun[Frame, Proposed, None]):

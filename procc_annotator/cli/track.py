@@ -13,7 +13,7 @@ import typer
 from procc_annotator.assist.track_anchors import TrackAnchors
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.tracking import ShotToTrack, TrackRun, damaged_pictures
-from procc_annotator.calibration.single_image.propose import warm_up_caches
+from procc_annotator.calibration.single_image.candidates import warm_up_caches
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console

@@ -39,7 +39,7 @@ class Pretended:
     known: list[tuple[KnownPosition, ...]] = field(default_factory=list)
 
     def __call__(
-        self, picture: np.ndarray, field: Field, *, known: Iterable[KnownPosition]
+        self, picture: np.ndarray, field: Field, *, known: Iterable[KnownPosition], **_: object
     ) -> Proposal:
         assert picture.shape[2] == 4
         self.known.append(tuple(known))
@@ -237,7 +237,7 @@ def test_what_makes_no_sense(cli, dataset, tmp_path):
 def test_an_interrupted_run_says_what_is_there_and_goes_on(cli, bare, monkeypatch, fits, tmp_path):
     calls = []
 
-    def stopped(picture, field, *, known):
+    def stopped(picture, field, *, known, **_):
         calls.append(picture)
         if len(calls) == 3:
             raise KeyboardInterrupt

@@ -35,7 +35,9 @@ class Finder:
         self.wait: Event | None = None
         self.frame = "00002"
 
-    def __call__(self, picture: PixelArray, field: Field, *, go_on: Callable[[], None]) -> Proposal:
+    def __call__(
+        self, picture: PixelArray, field: Field, *, go_on: Callable[[], None], **_: object
+    ) -> Proposal:
         self.asked += 1
         while self.wait is not None and not self.wait.wait(0.01):
             go_on()

@@ -40,11 +40,12 @@ class Proposal:
         fit: the camera, px of the picture, with vector, covariance and deviations as any fit; its
             camera is None and its failure reported if absent.
         coverage: share of the visible model that was found on paint, 0-1.
-        explained: share of the paint on the ground that the model explains, 0-1.
+        explained: share of the paint on the field that the model explains, 0-1.
         residual_px: median distance of the found paint to the model, px of the picture; None
             without a camera.
         margin: how much better it is than the best camera that shows something else, 0-1.
         runner_up: that other camera, px of the picture; None where none was found.
+        probability: that the camera is right, 0-1; see `single_image.probability`.
     """
 
     state: ProposalState
@@ -55,6 +56,7 @@ class Proposal:
     residual_px: float | None
     margin: float
     runner_up: PinholeCamera | None
+    probability: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
 from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
-from procc_annotator.batch.camera_proposals import mark_non_square_pixels
+from procc_annotator.batch.camera_proposals import video_pixel_aspect
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import SURE, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
@@ -139,8 +139,8 @@ class Proposals(QObject):
         """Propose a camera; runs in a thread."""
         go_on()
         field = field_for_frame(field, frame.name)
-        found = propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
-        return mark_non_square_pixels(found, frame.image_path)
+        picture, pixels = self._cache.get(frame.image_path), video_pixel_aspect(frame.image_path)
+        return propose_camera(picture, field, pixels=pixels, go_on=go_on)
 
     def _take(self) -> None:
         self.changed.emit()
