@@ -11,7 +11,6 @@ some 3 % of real frames, so that is what the second ones weigh. Matches in `HELD
 import json
 import sys
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -190,10 +189,11 @@ def collect(shared: Path, kept: Path, *, held: bool) -> list[dict[str, object]]:
         for one in judged_pictures(shared)
         if one.name not in done and (held or not one.group.startswith(HELD_OUT))
     ]
-    with ProcessPoolExecutor() as pool, kept.open("a") as file:
-        for judged, found in zip(wanted, pool.map(examples, wanted), strict=True):
-            rows += found or [{"name": judged.name, "group": judged.group, "first": True}]
-            file.writelines(json.dumps(row) + "\n" for row in rows[-max(len(found), 1) :])
+    with kept.open("a") as file:
+        for judged in wanted:
+            found = examples(judged) or [{"name": judged.name, "group": judged.group}]
+            rows += found
+            file.writelines(json.dumps(row) + "\n" for row in found)
             file.flush()
     return rows
 
