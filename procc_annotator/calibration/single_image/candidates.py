@@ -231,10 +231,20 @@ def _prior_at_position(place: KnownPosition, lines: FieldLinePoints) -> Gaussian
 
 
 def refine_candidates(
-    picture: PixelArray, field: Field, scene: SearchScene, found: RankedCameras
+    picture: PixelArray,
+    field: Field,
+    scene: SearchScene,
+    found: RankedCameras,
+    other_than: FloatArray | None = None,
 ) -> BestCandidate | None:
-    """The best of some cameras, of the first ones those refined that come near the best; None if
-    there is paint next to none."""
+    """The best of some cameras, of the first ones those refined that come near the best.
+
+    Args:
+        other_than: (11,) a camera that does not count, nor do those that show the same.
+
+    Returns:
+        None if there is paint next to none.
+    """
     tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
     for vector, score in zip(found.vectors[:_REFINED_COUNT], found.scores, strict=False):
@@ -246,8 +256,11 @@ def refine_candidates(
         refined = align_with_lines(
             picture, field, vector, belief=belief, reaches_px=_SEARCH_RADII_PX
         )
-        if refined.fit.vector is not None:
-            tried.append(refined)
+        if refined.fit.vector is None or (
+            other_than is not None and _shows_same(other_than, refined.fit.vector, scene)
+        ):
+            continue
+        tried.append(refined)
     if not tried:
         return None
     candidates = _rank_candidates(scene, tried)
@@ -261,6 +274,11 @@ def refine_candidates(
     vector, score = max(apart, key=lambda other: other[1], default=(None, 0.0))
     ends = view_distance_px(best.vector, found.ends, scene.lines, scene.paint.half_height)
     return BestCandidate(best, vector, score, float((ends <= _DISTINCT_CAMERA_PX).mean()))
+
+
+def _shows_same(vector: FloatArray, other: FloatArray, scene: SearchScene) -> bool:
+    away = view_distance_px(vector, other[None], scene.lines, scene.paint.half_height)
+    return bool(away[0] <= _DISTINCT_CAMERA_PX)
 
 
 def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list[RefinedCandidate]:
