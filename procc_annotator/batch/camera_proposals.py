@@ -290,15 +290,33 @@ def video_pixel_aspect(picture: Path) -> PixelAspect | None:
     return None if aspect == 1 else PixelAspect(aspect, 1.0)
 
 
+ASPECT_SETTING = "pixel_aspect"  # the key under which a dataset keeps its pixel aspect
 _ASPECT_PICTURES, _CERTAIN = 12, 0.999
 
 
-def set_pixel_aspect(frames: Sequence[Frame], field: Field) -> PixelAspect | None:
+def stored_pixel_aspect(setting: str | None) -> PixelAspect | None:
+    """The pixel aspect that a dataset keeps; None without one that can be read."""
+    try:
+        value, probability = (float(part) for part in (setting or "").split())
+    except ValueError:
+        return None
+    return PixelAspect(value, probability) if 0 < value < 10 and 0 < probability <= 1 else None
+
+
+def aspect_setting(pixels: PixelAspect) -> str:
+    """What `stored_pixel_aspect` reads."""
+    return f"{pixels.value!r} {pixels.probability!r}"
+
+
+def set_pixel_aspect(
+    frames: Sequence[Frame], field: Field, go_on: Callable[[], None] = lambda: None
+) -> PixelAspect | None:
     """Find out how wide the pixels of a set are, from some of its pictures.
 
     Args:
         frames: of one source.
         field: the elements, metres.
+        go_on: called between steps; what it raises ends the search.
 
     Returns:
         None where pictures have a shape that cameras make.
@@ -318,7 +336,8 @@ def set_pixel_aspect(frames: Sequence[Frame], field: Field) -> PixelAspect | Non
             return None
         possible, evidence = own, evidence or [[] for _ in own]
         for aspect, of_pictures in zip(own, evidence, strict=True):
-            best = found_camera(picture, field_for_frame(field, frame.name), aspect.value)
+            own_field = field_for_frame(field, frame.name)
+            best = found_camera(picture, own_field, aspect.value, go_on=go_on)
             of_pictures.append(best.evidence if best else None)
         if most_probable_aspect(possible, evidence).probability > _CERTAIN:
             break

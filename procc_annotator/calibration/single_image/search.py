@@ -294,14 +294,16 @@ class RankedCameras:
     Attributes:
         vectors: (B, 11).
         scores: (B,) agreement less what their unlikeliness costs.
+        ends: (E, 11) where all starts of the last stage ended, these cameras among them.
     """
 
     vectors: FloatArray
     scores: FloatArray
+    ends: FloatArray
 
     def chosen(self, rows: IntArray) -> RankedCameras:
         """Some of them."""
-        return RankedCameras(self.vectors[rows], self.scores[rows])
+        return RankedCameras(self.vectors[rows], self.scores[rows], self.ends)
 
 
 def search_cameras(
@@ -355,7 +357,8 @@ def rank_cameras(
     found = chamfer_agreement(
         scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
     )
-    return RankedCameras(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors))
+    scores = found.both - stage.unlikely * scene.unlikeliness(vectors)
+    return RankedCameras(vectors, scores, vectors)
 
 
 def with_hypothesis(scene: SearchScene, found: RankedCameras, vector: FloatArray) -> RankedCameras:
@@ -372,7 +375,7 @@ def with_hypothesis(scene: SearchScene, found: RankedCameras, vector: FloatArray
         )
     more = rank_cameras(scene, vectors)
     scores = np.concatenate([found.scores, more.scores])
-    every = RankedCameras(np.concatenate([found.vectors, vectors]), scores)
+    every = RankedCameras(np.concatenate([found.vectors, vectors]), scores, found.ends)
     return every.chosen(np.argsort(-scores, kind="stable"))
 
 
