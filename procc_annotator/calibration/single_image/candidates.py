@@ -55,6 +55,7 @@ from procc_annotator.calibration.single_image.search import (
     hypotheses_at_positions,
     hypotheses_on_side,
     search_cameras,
+    with_hypothesis,
 )
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray
@@ -199,6 +200,8 @@ def search_scene(
     found = search_cameras(
         scene, hypotheses, go_on, SEARCH_STAGES if place is None else SEARCH_STAGES_KNOWN
     )
+    if place is not None and place.camera is not None:
+        found = with_hypothesis(scene, found, place.camera)
     if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
         vectors, ends = (
