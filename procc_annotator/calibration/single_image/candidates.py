@@ -51,6 +51,7 @@ from procc_annotator.calibration.single_image.proposal import (
 from procc_annotator.calibration.single_image.search import (
     SEARCH_STAGES,
     SEARCH_STAGES_KNOWN,
+    RankedCameras,
     hypotheses_at_positions,
     hypotheses_on_side,
     search_cameras,
@@ -105,11 +106,13 @@ class BestCandidate:
         candidate: it.
         other: (11,) the best of those that show something else; None without any.
         other_score: its.
+        support: share of the search's last starts that ended at it, 0 to 1.
     """
 
     candidate: RefinedCandidate
     other: FloatArray | None
     other_score: float
+    support: float
 
     @property
     def score(self) -> float:
@@ -127,6 +130,7 @@ class BestCandidate:
             min(max(1 - self.other_score / max(self.score, 1e-6), 0.0), 1.0),
             refined.marks * POINT_SPACING_PX,
             sum(share >= _MIN_ALIGNED_COVERAGE for share in refined.shares.values()),
+            self.support,
             best.unlikeliness,
             _projected_sd_px(refined.fit, best.vector, lines, frame),
             displaced_elements_in_image(picture, best.vector, marking_points(field), frame),
@@ -159,8 +163,8 @@ def best_candidate(
     def search(places: Sequence[KnownPosition | None]) -> BestCandidate | None:
         found = []
         for place in places:
-            scene, vectors, scores = search_scene(field, lines, paint, place, go_on)
-            found.append(refine_candidates(picture, field, scene, vectors, scores))
+            scene, cameras = search_scene(field, lines, paint, place, go_on)
+            found.append(refine_candidates(picture, field, scene, cameras))
         there = [best for best in found if best is not None]
         return max(there, key=lambda best: best.score, default=None)
 
@@ -174,8 +178,8 @@ def search_scene(
     paint: ImageLinePixels,
     place: KnownPosition | None,
     go_on: Callable[[], None],
-) -> tuple[SearchScene, FloatArray, FloatArray]:
-    """The cameras that suit the line pixels of a picture best: (B, 11) with their scores (B,)."""
+) -> tuple[SearchScene, RankedCameras]:
+    """The cameras that suit the line pixels of a picture best."""
     half_height = float(round(paint.half_height))
     if place is None:
         scene = SearchScene(lines, paint)
@@ -195,11 +199,14 @@ def search_scene(
     found = search_cameras(
         scene, hypotheses, go_on, SEARCH_STAGES if place is None else SEARCH_STAGES_KNOWN
     )
-    vectors = found.vectors
     if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
-        vectors = np.where(vectors[:, [Y]] < 0, rotated_180(vectors), vectors)
-    return scene, vectors, found.scores
+        vectors, ends = (
+            np.where(some[:, [Y]] < 0, rotated_180(some), some)
+            for some in (found.vectors, found.ends)
+        )
+        found = RankedCameras(vectors, found.scores, ends)
+    return scene, found
 
 
 def _allowed_sides(field: Field) -> tuple[int, ...]:
@@ -224,14 +231,14 @@ def _prior_at_position(place: KnownPosition, lines: FieldLinePoints) -> Gaussian
 
 
 def refine_candidates(
-    picture: PixelArray, field: Field, scene: SearchScene, vectors: FloatArray, scores: FloatArray
+    picture: PixelArray, field: Field, scene: SearchScene, found: RankedCameras
 ) -> BestCandidate | None:
-    """The best of some cameras (B, 11) with their scores (B,), of the first ones those refined that
-    come near the best; None if there is paint next to none."""
+    """The best of some cameras, of the first ones those refined that come near the best; None if
+    there is paint next to none."""
     tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
-    for vector, score in zip(vectors[:_REFINED_COUNT], scores, strict=False):
-        if score < _REFINEMENT_SCORE_SHARE * scores[0] and tried:
+    for vector, score in zip(found.vectors[:_REFINED_COUNT], found.scores, strict=False):
+        if score < _REFINEMENT_SCORE_SHARE * found.scores[0] and tried:
             kept.append((vector, float(score)))
             continue
         prior = scene.prior(vector[None], FREE_PARAMETERS["R"])
@@ -252,7 +259,8 @@ def refine_candidates(
     )
     apart = [other for other, px in zip(others, away, strict=True) if px > _DISTINCT_CAMERA_PX]
     vector, score = max(apart, key=lambda other: other[1], default=(None, 0.0))
-    return BestCandidate(best, vector, score)
+    ends = view_distance_px(best.vector, found.ends, scene.lines, scene.paint.half_height)
+    return BestCandidate(best, vector, score, float((ends <= _DISTINCT_CAMERA_PX).mean()))
 
 
 def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list[RefinedCandidate]:

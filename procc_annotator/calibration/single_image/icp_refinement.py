@@ -39,7 +39,7 @@ DIRECTION_COUNT = 12
 SAME_DIRECTION_RAD = np.radians(20.0)  # directions that may be those of one line
 _NO_LINE_DISTANCE_PX = 1e3
 _MAP_CELL_PX = 2
-_MAX_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
+_MAX_FLOOR_M = 31.0  # half a length; an NHL rink is 61 m long. What is larger is grass
 _WIDE_LINE_M = 0.25  # of lines such as the blue ones of ice hockey
 
 

@@ -35,6 +35,7 @@ class ProposalEvidence:
         margin: how much better it is than the best plausible camera that shows something else.
         length_px: length of the lines that were found, solver px.
         elements: number of elements of which most was found.
+        support: share of the search's last starts that ended at it.
         unlikeliness: half the squared deviations from where cameras are expected.
         sd_px: standard deviation of projected line points, 90 % quantile, solver px.
         displaced: elements that are next to their line pixels, in words; "" for none.
@@ -45,13 +46,14 @@ class ProposalEvidence:
     margin: float
     length_px: float
     elements: int
+    support: float
     unlikeliness: float
     sd_px: float
     displaced: str = ""
 
     @property
     def features(self) -> FloatArray:
-        """(8,) in the order of `FEATURES`; each grows with what speaks for the camera."""
+        """(9,) in the order of `FEATURES`; each grows with what speaks for the camera."""
         return np.array(
             [
                 _log_odds(self.coverage),
@@ -59,6 +61,7 @@ class ProposalEvidence:
                 min(self.margin, _MOST_MARGIN),
                 math.log(max(self.length_px, 1.0)),
                 math.log1p(self.elements),
+                _log_odds(self.support),
                 -self.unlikeliness,
                 -math.log(max(self.sd_px, _LEAST_SD_PX)),
                 -float(bool(self.displaced)),
@@ -67,7 +70,8 @@ class ProposalEvidence:
 
 
 FEATURES = (
-    "coverage", "explained", "margin", "length", "elements", "placement", "determined", "displaced",
+    "coverage", "explained", "margin", "length", "elements", "support", "placement", "determined",
+    "displaced",
 )  # fmt: skip
 
 
@@ -81,8 +85,8 @@ class LogisticModel:
 
     Attributes:
         intercept: log odds of a camera with the typical features.
-        typical: (8,) mean features of right cameras.
-        weights: (8,) per unit of a feature, none negative.
+        typical: (9,) mean features of right cameras.
+        weights: (9,) per unit of a feature, none negative.
     """
 
     intercept: float
@@ -90,12 +94,12 @@ class LogisticModel:
     weights: FloatArray
 
     def probability(self, features: FloatArray) -> FloatArray:
-        """(..., 8) features -> (...) probability that the camera is right."""
+        """(..., 9) features -> (...) probability that the camera is right."""
         odds = self.intercept + (features - self.typical) @ self.weights
         return np.asarray(0.5 * (1 + np.tanh(odds / 2)))
 
     def losses(self, features: FloatArray) -> FloatArray:
-        """(8,) log odds that each feature (8,) costs against a typical right camera."""
+        """(9,) log odds that each feature (9,) costs against a typical right camera."""
         return np.asarray((self.typical - features) * self.weights)
 
 
@@ -124,6 +128,7 @@ def main_doubt(evidence: ProposalEvidence) -> str:
         "margin": rival_camera_reason(),
         "length": translatable("too few lines are in sight to tell"),
         "elements": translatable("too few lines are in sight to tell"),
+        "support": rival_camera_reason(),
         "placement": translatable("cameras hardly stand there"),
         "determined": translatable("the lines in sight leave the camera open"),
         "displaced": evidence.displaced,

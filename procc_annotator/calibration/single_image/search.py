@@ -294,14 +294,16 @@ class RankedCameras:
     Attributes:
         vectors: (B, 11).
         scores: (B,) agreement less what their unlikeliness costs.
+        ends: (E, 11) where all starts of the last stage ended, these cameras among them.
     """
 
     vectors: FloatArray
     scores: FloatArray
+    ends: FloatArray
 
     def chosen(self, rows: IntArray) -> RankedCameras:
         """Some of them."""
-        return RankedCameras(self.vectors[rows], self.scores[rows])
+        return RankedCameras(self.vectors[rows], self.scores[rows], self.ends)
 
 
 def search_cameras(
@@ -355,7 +357,8 @@ def rank_cameras(
     found = chamfer_agreement(
         scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
     )
-    return RankedCameras(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors))
+    scores = found.both - stage.unlikely * scene.unlikeliness(vectors)
+    return RankedCameras(vectors, scores, vectors)
 
 
 def _distinct_cameras(

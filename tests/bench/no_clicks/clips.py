@@ -127,13 +127,14 @@ def is_right(
     field that looks the same from there, too."""
     cameras = [camera]
     if isinstance(camera, PinholeCamera) and field.symmetries:
-        cameras.append(_turned(camera))
+        cameras.append(half_turned(camera))
     return any(
         float(np.mean(farthest(truth, own, size, field) <= NEAR_PX)) >= MOST_ELEMENTS
         for own in cameras
     )
 
 
-def _turned(camera: PinholeCamera) -> PinholeCamera:
+def half_turned(camera: PinholeCamera) -> PinholeCamera:
+    """The camera half a turn about the field's centre."""
     x, y, z = camera.position_world
     return replace(camera, pan_rad=camera.pan_rad + np.pi, position_world=(-x, -y, z))

@@ -95,7 +95,7 @@ def test_a_squeezed_picture_has_a_camera_with_wide_pixels():
     assert certain.state == "sure"
 
 
-SEEN = ProposalEvidence(0.9, 0.9, 0.2, 2000.0, 7, 0.5, 1.0)
+SEEN = ProposalEvidence(0.9, 0.9, 0.2, 2000.0, 7, 0.3, 0.5, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -106,6 +106,7 @@ SEEN = ProposalEvidence(0.9, 0.9, 0.2, 2000.0, 7, 0.5, 1.0)
         {"margin": 0.05},
         {"length_px": 500.0},
         {"elements": 3},
+        {"support": 0.02},
         {"sd_px": 5.0},
         {"displaced": "Side line top lies 9 px beside its paint"},
     ],
@@ -116,7 +117,9 @@ def test_what_speaks_against_a_camera_makes_it_less_probable(worse):
 
 def test_overwhelming_evidence_is_sure_and_little_is_not():
     assert probability_right(replace(SEEN, coverage=0.97, explained=0.98, margin=0.3)) > SURE_FROM
-    assert probability_right(ProposalEvidence(0.3, 0.3, 0.0, 300.0, 1, 3.0, 30.0)) < POSSIBLE_FROM
+    assert (
+        probability_right(ProposalEvidence(0.3, 0.3, 0.0, 300.0, 1, 0.0, 3.0, 30.0)) < POSSIBLE_FROM
+    )
 
 
 def test_pixels_are_those_that_explain_most_pictures():
@@ -193,7 +196,9 @@ def _seen(position: tuple[float, float, float], x: float, share: float) -> BestC
     vector = vector_from_camera(camera, ImageFrame(size))
     fit = FitResult("P", size, camera, vector=vector, covariance=np.eye(len(vector)) * 0.09)
     refined = LineAlignment(fit, share, None, {}, 100)
-    return BestCandidate(RefinedCandidate(vector, refined, share, share, 0.0), None, 0.5 * share)
+    return BestCandidate(
+        RefinedCandidate(vector, refined, share, share, 0.0), None, 0.5 * share, 1.0
+    )
 
 
 @pytest.mark.parametrize(
