@@ -114,6 +114,8 @@ _ASSOCIATION_RADII_PX, _SAME_VIEW_PX = (10.0, 5.0), 0.5
 # Where a position is held that is not, the line pixels of some pictures are explained less: 0.87 of
 # the best one's on a drawn rail of 5 m.
 _MOVING_EXPLAINED_SHARE = 0.9
+# Two standard errors of a share of 800 line pixels, of which 90 % are explained.
+_EXPLAINED_ERROR = 0.02
 # Whole pictures are judged once in two seconds, for that takes as long as several frames; in short
 # shots more often.
 _JUDGED_FRAMES, _LEAST_JUDGED = 50, 4
@@ -365,7 +367,8 @@ class _ShotTracker:
                     seen[place] = thinned_line_pixels(line_pixels_for_field(picture, self.field))
                 steps[place] = remeasured_step(picture, step, self.painted, self.picture, reach)
             again = smooth_chain(replace(found.chain, steps=steps), self.field, self.picture)
-            if np.mean(explained(again.chain)) < np.mean(explained(found.chain)):
+            less = np.mean(explained(found.chain)) - np.mean(explained(again.chain))
+            if less > _EXPLAINED_ERROR:
                 break
             found = again
         return found, explained(found.chain)
