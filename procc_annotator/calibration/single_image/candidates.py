@@ -260,7 +260,9 @@ def refine_candidates(
             picture, field, vector, belief=belief, reaches_px=_SEARCH_RADII_PX
         )
         if refined.fit.vector is None or (
-            other_than is not None and _shows_same(other_than, refined.fit.vector, scene)
+            other_than is not None
+            and _distance_px(other_than, refined.fit.vector[None], scene, field)[0]
+            <= _DISTINCT_CAMERA_PX
         ):
             continue
         tried.append(refined)
@@ -270,18 +272,24 @@ def refine_candidates(
     best = candidates[0]
     plausible = [one for one in candidates if one.unlikeliness <= _MAX_RIVAL_PRIOR_COST]
     others = [*((one.vector, one.score) for one in (best, *plausible)), *kept]
-    away = view_distance_px(
-        best.vector, np.array([v for v, _ in others]), scene.lines, scene.paint.half_height
-    )
+    away = _distance_px(best.vector, np.array([v for v, _ in others]), scene, field)
     apart = [other for other, px in zip(others, away, strict=True) if px > _DISTINCT_CAMERA_PX]
     vector, score = max(apart, key=lambda other: other[1], default=(None, 0.0))
-    ends = view_distance_px(best.vector, found.ends, scene.lines, scene.paint.half_height)
+    ends = _distance_px(best.vector, found.ends, scene, field)
     return BestCandidate(best, vector, score, float((ends <= _DISTINCT_CAMERA_PX).mean()))
 
 
-def _shows_same(vector: FloatArray, other: FloatArray, scene: SearchScene) -> bool:
-    away = view_distance_px(vector, other[None], scene.lines, scene.paint.half_height)
-    return bool(away[0] <= _DISTINCT_CAMERA_PX)
+def _distance_px(
+    vector: FloatArray, others: FloatArray, scene: SearchScene, field: Field
+) -> FloatArray:
+    """(B,) solver px between what a camera (11,) and others (B, 11) show; from the other side, too,
+    of a field that looks the same from there."""
+    half_height = scene.paint.half_height
+    away = view_distance_px(vector, others, scene.lines, half_height)
+    if field.half_turn is None:
+        return away
+    turned = view_distance_px(vector, rotated_180(others), scene.lines, half_height)
+    return np.minimum(away, turned)
 
 
 def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list[RefinedCandidate]:
