@@ -311,7 +311,8 @@ def edge_point_residuals(vector: FloatArray, marks: EdgePoints, frame: ImageFram
 def displaced_elements_text(
     beside: dict[int, float], painted: MarkingPoints, frame: ImageFrame
 ) -> str:
-    """That elements lie next to their paint, the farthest first; "" of none."""
+    """That required elements lie next to their paint, the farthest first; "" of none."""
+    beside = {own: px for own, px in beside.items() if painted.required[own]}
     if not beside:
         return ""
     number = max(beside, key=lambda own: beside[own])
