@@ -16,6 +16,11 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
 from procc_annotator.batch.set_run import SetRun
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.optimization.camera_parameters import (
+    POSITION_SLICE,
+    vector_from_camera,
+)
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.single_image.pixel_aspect import (
     PixelAspect,
     most_probable_aspect,
@@ -134,8 +139,8 @@ def proposers() -> tuple[dict[str, PictureProposer], tuple[str, ...]]:
 
 @dataclass(frozen=True)
 class WithPlugin:
-    """`propose_camera`, also where a detector says that the camera stands: what it says is made
-    right on the paint, and judged by the same rules.
+    """`propose_camera`, also with the cameras of a detector and where it says that they stand:
+    what it says is made right on the paint, and judged by the same probability.
 
     It survives the trip to a worker, where the detector is loaded anew.
 
@@ -151,7 +156,8 @@ class WithPlugin:
     def __call__(
         self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
     ) -> Proposal:
-        hinted = _positions(self.hints(picture, field))
+        size = (picture.shape[1], picture.shape[0])
+        hinted = _hypotheses(self.hints(picture, field), ImageFrame(size))
         return propose_camera(
             picture,
             field,
@@ -192,13 +198,15 @@ class WithPlugin:
         return ProccError(f"the proposer {self.name!r} cannot be used: {why}")
 
 
-def _positions(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
-    found: list[np.ndarray] = []
+def _hypotheses(cameras: Sequence[PinholeCamera], frame: ImageFrame) -> list[KnownPosition]:
+    """The cameras, of those at one position the first."""
+    found: list[KnownPosition] = []
     for camera in cameras:
-        place = np.array(camera.position_world)
-        if all(np.linalg.norm(place - other) > _SD_M for other in found):
-            found.append(place)
-    return [KnownPosition(place, np.eye(3) * _SD_M**2) for place in found[:_MOST_POSITIONS]]
+        vector = vector_from_camera(camera, frame)
+        place = vector[POSITION_SLICE]
+        if all(np.linalg.norm(place - other.position_m) > _SD_M for other in found):
+            found.append(KnownPosition(place, np.eye(3) * _SD_M**2, camera=vector))
+    return found[:_MOST_POSITIONS]
 
 
 def chosen_proposer(name: str) -> PictureProposer:
@@ -282,15 +290,33 @@ def video_pixel_aspect(picture: Path) -> PixelAspect | None:
     return None if aspect == 1 else PixelAspect(aspect, 1.0)
 
 
+ASPECT_SETTING = "pixel_aspect"  # the key under which a dataset keeps its pixel aspect
 _ASPECT_PICTURES, _CERTAIN = 12, 0.999
 
 
-def set_pixel_aspect(frames: Sequence[Frame], field: Field) -> PixelAspect | None:
+def stored_pixel_aspect(setting: str | None) -> PixelAspect | None:
+    """The pixel aspect that a dataset keeps; None without one that can be read."""
+    try:
+        value, probability = (float(part) for part in (setting or "").split())
+    except ValueError:
+        return None
+    return PixelAspect(value, probability) if 0 < value < 10 and 0 < probability <= 1 else None
+
+
+def aspect_setting(pixels: PixelAspect) -> str:
+    """What `stored_pixel_aspect` reads."""
+    return f"{pixels.value!r} {pixels.probability!r}"
+
+
+def set_pixel_aspect(
+    frames: Sequence[Frame], field: Field, go_on: Callable[[], None] = lambda: None
+) -> PixelAspect | None:
     """Find out how wide the pixels of a set are, from some of its pictures.
 
     Args:
         frames: of one source.
         field: the elements, metres.
+        go_on: called between steps; what it raises ends the search.
 
     Returns:
         None where pictures have a shape that cameras make.
@@ -310,7 +336,8 @@ def set_pixel_aspect(frames: Sequence[Frame], field: Field) -> PixelAspect | Non
             return None
         possible, evidence = own, evidence or [[] for _ in own]
         for aspect, of_pictures in zip(own, evidence, strict=True):
-            best = found_camera(picture, field_for_frame(field, frame.name), aspect.value)
+            own_field = field_for_frame(field, frame.name)
+            best = found_camera(picture, own_field, aspect.value, go_on=go_on)
             of_pictures.append(best.evidence if best else None)
         if most_probable_aspect(possible, evidence).probability > _CERTAIN:
             break

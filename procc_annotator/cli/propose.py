@@ -11,12 +11,14 @@ from typing import Annotated
 import typer
 
 from procc_annotator.batch.camera_proposals import (
+    ASPECT_SETTING,
     ProposalRun,
     Proposer,
     WithPlugin,
     chosen_proposer,
     read_positions,
     set_pixel_aspect,
+    stored_pixel_aspect,
 )
 from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
@@ -27,6 +29,7 @@ from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import FrameAnnotations
+from procc_annotator.dataset.database.location import read_settings
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import InputError, UsageError
@@ -175,7 +178,9 @@ def propose(given: ProposeOptions) -> None:
     annotated = None if given.every_frame else pictures.annotated(given.annotations, shown, names)
     wanted = _frames_to_propose(pictures.frames[:: given.every], shown, annotated)
     chosen = wanted.frames
-    pixels = set_pixel_aspect(chosen, shown)
+    settings, _ = read_settings(given.dataset)
+    stored = stored_pixel_aspect(settings.get(ASPECT_SETTING))
+    pixels = stored or set_pixel_aspect(chosen, shown)
     if pixels is not None:
         echo(
             f"pixels are {pixels.value:.3f} times as wide as high"

@@ -55,6 +55,7 @@ from procc_annotator.calibration.single_image.search import (
     hypotheses_at_positions,
     hypotheses_on_side,
     search_cameras,
+    with_hypothesis,
 )
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray
@@ -199,6 +200,8 @@ def search_scene(
     found = search_cameras(
         scene, hypotheses, go_on, SEARCH_STAGES if place is None else SEARCH_STAGES_KNOWN
     )
+    if place is not None and place.camera is not None:
+        found = with_hypothesis(scene, found, place.camera)
     if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
         vectors, ends = (
@@ -231,10 +234,20 @@ def _prior_at_position(place: KnownPosition, lines: FieldLinePoints) -> Gaussian
 
 
 def refine_candidates(
-    picture: PixelArray, field: Field, scene: SearchScene, found: RankedCameras
+    picture: PixelArray,
+    field: Field,
+    scene: SearchScene,
+    found: RankedCameras,
+    other_than: FloatArray | None = None,
 ) -> BestCandidate | None:
-    """The best of some cameras, of the first ones those refined that come near the best; None if
-    there is paint next to none."""
+    """The best of some cameras, of the first ones those refined that come near the best.
+
+    Args:
+        other_than: (11,) a camera that does not count, nor do those that show the same.
+
+    Returns:
+        None if there is paint next to none.
+    """
     tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
     for vector, score in zip(found.vectors[:_REFINED_COUNT], found.scores, strict=False):
@@ -246,21 +259,37 @@ def refine_candidates(
         refined = align_with_lines(
             picture, field, vector, belief=belief, reaches_px=_SEARCH_RADII_PX
         )
-        if refined.fit.vector is not None:
-            tried.append(refined)
+        if refined.fit.vector is None or (
+            other_than is not None
+            and _distance_px(other_than, refined.fit.vector[None], scene, field)[0]
+            <= _DISTINCT_CAMERA_PX
+        ):
+            continue
+        tried.append(refined)
     if not tried:
         return None
     candidates = _rank_candidates(scene, tried)
     best = candidates[0]
     plausible = [one for one in candidates if one.unlikeliness <= _MAX_RIVAL_PRIOR_COST]
     others = [*((one.vector, one.score) for one in (best, *plausible)), *kept]
-    away = view_distance_px(
-        best.vector, np.array([v for v, _ in others]), scene.lines, scene.paint.half_height
-    )
+    away = _distance_px(best.vector, np.array([v for v, _ in others]), scene, field)
     apart = [other for other, px in zip(others, away, strict=True) if px > _DISTINCT_CAMERA_PX]
     vector, score = max(apart, key=lambda other: other[1], default=(None, 0.0))
-    ends = view_distance_px(best.vector, found.ends, scene.lines, scene.paint.half_height)
+    ends = _distance_px(best.vector, found.ends, scene, field)
     return BestCandidate(best, vector, score, float((ends <= _DISTINCT_CAMERA_PX).mean()))
+
+
+def _distance_px(
+    vector: FloatArray, others: FloatArray, scene: SearchScene, field: Field
+) -> FloatArray:
+    """(B,) solver px between what a camera (11,) and others (B, 11) show; from the other side, too,
+    of a field that looks the same from there."""
+    half_height = scene.paint.half_height
+    away = view_distance_px(vector, others, scene.lines, half_height)
+    if field.half_turn is None:
+        return away
+    turned = view_distance_px(vector, rotated_180(others), scene.lines, half_height)
+    return np.minimum(away, turned)
 
 
 def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list[RefinedCandidate]:

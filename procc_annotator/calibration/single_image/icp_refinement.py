@@ -94,7 +94,9 @@ def line_pixels_for_field(picture: PixelArray, field: Field) -> ImageLinePixels:
     wide = any(line.width_m >= _WIDE_LINE_M for line in lines)
     light, dark = bool(tones & {LIGHTER, ANY}), bool(tones & {DARKER, ANY})
     floor = camera_placement_prior(field).half_length <= _MAX_FLOOR_M
-    found = detect_line_pixels(picture, light=light, dark=dark, floor=floor, wide=wide)
+    found = detect_line_pixels(
+        picture, light=light, dark=dark, floor=floor, wide=wide, edges=ANY in tones
+    )
     frame = ImageFrame(found.size)
     points = (found.points - np.array(frame.centre_px)[:, None]) * frame.scale
     return ImageLinePixels(

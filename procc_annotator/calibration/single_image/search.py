@@ -361,6 +361,24 @@ def rank_cameras(
     return RankedCameras(vectors, scores, vectors)
 
 
+def with_hypothesis(scene: SearchScene, found: RankedCameras, vector: FloatArray) -> RankedCameras:
+    """The cameras that were found and one (11,) more, led to the paint like them."""
+    vectors = vector[None]
+    for stage in SEARCH_STAGES_KNOWN:
+        vectors = refine_by_icp(
+            scene,
+            vectors,
+            stage.scales_px,
+            places=stage.places,
+            paint=stage.paint,
+            model=stage.model,
+        )
+    more = rank_cameras(scene, vectors)
+    scores = np.concatenate([found.scores, more.scores])
+    every = RankedCameras(np.concatenate([found.vectors, vectors]), scores, found.ends)
+    return every.chosen(np.argsort(-scores, kind="stable"))
+
+
 def _distinct_cameras(
     scene: SearchScene, vectors: FloatArray, order: IntArray, apart: float, most: int
 ) -> IntArray:

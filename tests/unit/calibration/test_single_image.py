@@ -12,6 +12,7 @@ from procc_annotator.calibration.line_alignment.refinement import LineAlignment
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image import candidates
 from procc_annotator.calibration.single_image.candidates import (
     BestCandidate,
     RefinedCandidate,
@@ -32,6 +33,7 @@ from procc_annotator.calibration.single_image.probability import (
 )
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.single_image.search import RankedCameras
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
@@ -179,6 +181,25 @@ def test_a_known_position_is_kept():
 
 
 WRONG = KnownPosition(np.array([-30.0, 50.0, -8.0]), np.eye(3) * 0.04)
+
+
+def test_a_camera_of_a_detector_is_a_hypothesis_where_the_search_misses_it(monkeypatch):
+    camera, picture = _drawn()
+    frame = ImageFrame(PICTURE_SIZE)
+
+    def misses(*_args: object) -> RankedCameras:
+        elsewhere = vector_from_camera(replace(camera, pan_rad=camera.pan_rad + 0.5), frame)
+        return RankedCameras(elsewhere[None], np.array([0.3]), elsewhere[None])
+
+    monkeypatch.setattr(candidates, "search_cameras", misses)
+    detected = vector_from_camera(replace(camera, pan_rad=camera.pan_rad + 0.005), frame)
+    place = KnownPosition(np.array(camera.position_world), np.eye(3))
+    missed = propose_camera(picture, _stage().field, known=[place], elsewhere=False)
+    assert missed.state == "none"
+    place = replace(place, camera=detected)
+    found = propose_camera(picture, _stage().field, known=[place], elsewhere=False)
+    assert _worst_px(camera, found.fit.camera) < 4
+    assert found.probability > POSSIBLE_FROM
 
 
 def test_a_wrong_known_position_is_not_sure_and_replaces_nothing():
