@@ -186,7 +186,7 @@ def _disc_kernel(size: int) -> Mask:
 
 
 _FLOOR_COLOURS, _MIN_PIECE_SHARE = 5, 0.02  # a piece's share of the picture: a painted key's
-_SMOOTH_SHARE = 0.18  # a crowd has less that is flat
+_SMOOTH_SHARE = 0.12  # a crowd has less that is flat
 _MIN_FLOOR_SHARE = 0.4  # of the picture: only what lines part is added
 _FURTHER_PIECES = 0.05  # of the largest piece's area: a painted key cuts a floor in two
 _BORDER_DILATION_PX = 7  # cells across of what pieces are widened by
@@ -386,9 +386,12 @@ def _linked_edges(
     small = mask_scale_image(picture)
     colour = cv2.GaussianBlur(picture.astype(np.float32), (0, 0), _RIDGE_SIGMAS_PX[0])
     x, y = (cv2.Sobel(colour, cv2.CV_32F, *way, ksize=3, scale=1 / 8) for way in ((1, 0), (0, 1)))
-    xx, yy, xy = ((one * other).sum(axis=2) for one, other in ((x, x), (y, y), (x, y)))
-    strength = np.sqrt(xx + yy)
-    rows, columns = np.nonzero((strength > _MIN_EDGE_STEP / _FLANK_DISTANCES_PX[0]) & where)
+    ones = np.ones((1, 3), dtype=np.float32)
+    xx, yy, xy = (cv2.transform(cv2.multiply(*two), ones) for two in ((x, x), (y, y), (x, y)))
+    strength = cv2.sqrt(cv2.add(xx, yy))
+    # A blurred step is as steep in its middle.
+    steepest = _MIN_EDGE_STEP / (np.sqrt(2 * np.pi) * _RIDGE_SIGMAS_PX[0])
+    rows, columns = np.nonzero((strength > steepest) & where)
     across = 0.5 * np.arctan2(2 * xy[rows, columns], (xx - yy)[rows, columns])
     way = np.stack([np.cos(across), np.sin(across)])
     step = np.rint(way).astype(np.intp)

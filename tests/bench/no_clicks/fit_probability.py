@@ -223,7 +223,8 @@ class Examples:
 
     @classmethod
     def of(cls, rows: list[dict[str, object]]) -> "Examples":
-        some = [row for row in rows if "features" in row]
+        # A second camera that is right as well has most elements where the first has them.
+        some = [row for row in rows if "features" in row and (row["first"] or not row["right"])]
         names = ("features", "right", "first", "group")
         return cls(*(np.array([row[name] for row in some]) for name in names))
 
