@@ -101,6 +101,10 @@ CameraProposer = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal
 # Frames after the first of a shot, or after one that was lost, at which a camera is proposed.
 _PROPOSAL_OFFSETS = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
 
+# Circle, halfway line and touchline suit cameras near and far, zoomed accordingly: a sure camera
+# stood 15 m off (with lines known to 1 px its standard deviation is 5.7 m), and lines that came
+# into sight were missed. Where a position is known worse than this, more cameras are proposed.
+_MAX_POSITION_SD_M, _POSITION_TRIES = 3.0, 10
 # For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
 _LOOKED_FRAMES = 25
 # When a camera that moves is tried: elements lie so far next to the model, solver px, or less of
@@ -111,8 +115,8 @@ _MOVING_DISPLACEMENT_PX, _MOVING_HELD_SHARE, _MOVING_FOUND_SHARE = 0.7, 0.96, 0.
 # that moved by more, solver px. The second round moved 0 and 0.8 % of the elements of two shots to
 # within 2 px.
 _ASSOCIATION_RADII_PX, _SAME_VIEW_PX = (10.0, 5.0), 0.5
-# Where a position is held that is not, the line pixels of some pictures are explained less: 0.87 of
-# the best one's on a drawn rail of 5 m.
+# Where a position is held that is not, the line pixels of some pictures are explained less, of the
+# best one's 0.86 on a drawn rail of 5 m.
 _MOVING_EXPLAINED_SHARE = 0.9
 # Two standard errors of a share of 800 line pixels, of which 90 % are explained.
 _EXPLAINED_ERROR = 0.02
@@ -299,7 +303,6 @@ class _ShotTracker:
         """Smooth together what was followed, and keep it."""
         found = smooth_chain(build_chain(runs, given), self.field, self.picture)
         asked = len({number for run in runs for number in run.asked})
-        moves = False
         if _camera_may_move(found, asked):
             start = _states_of_frames(found.chain, given)
             if len(found.chain.numbers) < asked:
@@ -309,15 +312,12 @@ class _ShotTracker:
                 second = smooth_chain(build_chain(again, given), self.field, self.picture)
                 found = max(found, second, key=lambda one: one.explained)
             found, explained = self._associated_again(found)
-            moves = min(explained) < _MOVING_EXPLAINED_SHARE * max(explained)
-        if moves or _camera_may_move(found, asked):
-            moving = self._moving(
-                runs, given, start, _SKIPPED_SHARE * _missing_share(found, asked) * asked
-            )
-            if moving is not None and _missing_share(
-                moving, asked
-            ) < _SKIPPED_SHARE * _missing_share(found, asked):
-                found = moving
+            unequal = min(explained) < _MOVING_EXPLAINED_SHARE * max(explained)
+            if unequal or _camera_may_move(found, asked):
+                most = _SKIPPED_SHARE * _missing_share(found, asked)
+                moving = self._moving(runs, given, start, most * asked)
+                if moving is not None and _missing_share(moving, asked) < most:
+                    found = moving
         chain = found.chain
         if self._skipped_frames(
             chain, given
@@ -342,7 +342,7 @@ class _ShotTracker:
 
     def _associated_again(self, found: SmoothedChain) -> tuple[SmoothedChain, list[float]]:
         """Measure the edge points around the smoothed cameras and smooth again, unless that
-        explains less of some whole pictures; the shares that they explain of these, 0 to 1."""
+        explains less of some whole pictures; and the shares that are explained of these, 0 to 1."""
         count, lines = len(found.chain.steps), field_line_points(self.field)
         every = min(max(count // _LEAST_JUDGED, 1), _JUDGED_FRAMES)
         seen = dict[int, ImageLinePixels]()
@@ -471,22 +471,33 @@ class _ShotTracker:
             begin = onwards.numbers[-1] + 1
 
     def _find_start(self, begin: int, end: int) -> tuple[int, GaussianState | None]:
-        """The first frame for which a camera is proposed and sure, and what is believed of it."""
+        """The first frame for which a camera is proposed, sure, and determined in its position, and
+        what is believed of it; else of some sure ones the one whose position is known best."""
         since, reason = begin, ""
+        least, tries = np.inf, 0
+        best: tuple[int, GaussianState] | None = None
         known = self._position_near(begin) or self.known
         for now in decoded_frames(self.frame, range(begin, end + 1)):
             self.go_on()
+            if best is not None and (now.begins or tries == _POSITION_TRIES):
+                return best
             if now.begins:
                 since, known = now.number, self.known
                 self.begins.add(now.number)
             if now.number - since in _PROPOSAL_OFFSETS:
                 proposal = self.propose(now.picture, self.field, known)
                 reason = proposal.reason
-                if proposal.state == SURE and proposal.fit.vector is not None:
-                    return now.number, self._state_from_proposal(proposal.fit.vector, proposal.fit)
+                tries += best is not None
+                if proposal.state == SURE and (vector := proposal.fit.vector) is not None:
+                    wide = state_from_camera(vector, self.field, self.painted, self.picture)
+                    sd = float(np.sqrt(np.diag(wide.covariance)[X : Z + 1].max()))
+                    if sd <= _MAX_POSITION_SD_M or known:
+                        return now.number, self._state_from_proposal(vector, proposal.fit)
+                    if sd < least:
+                        least, best = sd, (now.number, wide)
             if now.number not in self.found:
                 self._lose(now.number, reason)
-        return end, None
+        return best or (end, None)
 
     def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
         """Return what is believed of a proposed camera (11,): what the paint of its picture
