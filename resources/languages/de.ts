@@ -477,13 +477,38 @@
   </message>
   <message>
    <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
    <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>es gibt Farbe, wo das Feld keine hat</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>dort stehen kaum Kameras</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>die sichtbaren Linien lassen die Kamera offen</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe am Boden erklärt</translation>
+   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe auf dem Spielfeld erklärt</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -491,39 +516,14 @@
    <translation>ist dies {field} und keine andere Sportart? {why}</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>das Bild ist fast quadratisch wie ein gestauchtes: seine Pixel sind vielleicht nicht quadratisch</translation>
-  </message>
-  <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
-  </message>
-  <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>es gibt Farbe, wo das Feld keine hat</translation>
-  </message>
-  <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>dort stehen kaum Kameras</translation>
-  </message>
-  <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
-  </message>
-  <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>die sichtbaren Linien lassen die Kamera offen: {what}</translation>
-  </message>
-  <message>
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
    <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>das Bild ist fast quadratisch wie ein gestauchtes: seine Pixel sind vielleicht nicht quadratisch</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -539,6 +539,11 @@
    <source>the paint that was found would move the camera too far</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>die gefundene Farbe würde die Kamera zu weit verschieben</translation>
+  </message>
+  <message>
+   <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>die Spur liegt {px:.0f} px neben dem nächsten Bild, dessen Kamera bekannt war</translation>
   </message>
   <message>
    <source>{count} of {total} clicks lie where the camera shows nothing</source>
@@ -1280,6 +1285,11 @@
    <source>copy from {frame}</source>
    <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>von {frame} kopieren</translation>
+  </message>
+  <message>
+   <source>left out, not in the picture or no line seen: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
+   <translation>ausgelassen, nicht im Bild oder keine Linie zu sehen: {elements}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
@@ -2894,14 +2904,27 @@ Verliert {loses}.</translation>
    <translation>es wurde seither bearbeitet</translation>
   </message>
   <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <source>no frame to accept: follow the shot first (T)</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>kein Bild anzunehmen: folgen Sie zuerst der Einstellung (T); zweifelhafte und annotierte Bilder bleiben aus</translation>
+   <translation>kein Bild zu übernehmen: folgen Sie zuerst der Einstellung (T)</translation>
+  </message>
+  <message>
+   <source>no frame to accept: all that were followed are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>kein Bild zu übernehmen: alle verfolgten sind annotiert</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Blindmodus: angenommen wird nichts, was nicht geklickt ist</translation>
+  </message>
+  <message numerus="yes">
+   <source>all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} frame is doubtful ({why}): look at it; Ctrl+Shift+Enter once more accepts it / all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild ist zweifelhaft ({why}): sehen Sie es an; noch einmal Strg+Umschalt+Eingabe übernimmt es</numerusform>
+    <numerusform>alle {n:,} Bilder sind zweifelhaft ({why}): sehen Sie einige an; noch einmal Strg+Umschalt+Eingabe übernimmt sie</numerusform>
+   </translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
@@ -2943,6 +2966,11 @@ Verliert {loses}.</translation>
    <translation>Farbe entlang der Spur wird gesucht</translation>
   </message>
   <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
+  </message>
+  <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
@@ -2967,10 +2995,23 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>zurückgenommen: kein Bild ist angenommen</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} doubtful frame left: Ctrl+Shift+Enter once more accepts it / {n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} zweifelhaftes Bild ausgelassen: noch einmal Strg+Umschalt+Eingabe übernimmt es</numerusform>
+    <numerusform>{n:,} zweifelhafte Bilder ausgelassen: noch einmal Strg+Umschalt+Eingabe übernimmt sie</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
+   <source>the camera of this frame is unsure: a sure one is looked for in the shot; look at this one, accept its lines (Shift+Enter), then T follows them</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>die Kamera dieses Bildes ist unsicher: eine sichere wird in der Einstellung gesucht; sehen Sie diese an, übernehmen Sie ihre Linien (Umschalt+Eingabe), dann folgt T ihnen</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>kein Bild der Einstellung hat eine sichere Kamera: übernehmen Sie die Linien eines Bildes (Umschalt+Eingabe) oder annotieren Sie es, dann folgt T ihm</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3012,11 +3053,6 @@ Verliert {loses}.</translation>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>Blindmodus: keiner Einstellung wird gefolgt, ihre Kameras wären zu sehen</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>kein Bild der Einstellung hat eine sichere Kamera: annotieren Sie eines, dann folgen Sie ihr</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
@@ -7980,9 +8016,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Abschnitt annehmen</translation>
   </message>
   <message>
-   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; doubtful frames and annotated ones are left out</source>
+   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; annotated ones are left out, and doubtful ones unless it is pressed again</source>
    <extracomment>[the action accept_stretch]</extracomment>
-   <translation>Die Bilder der Einstellung, oder des auf dem Streifen markierten Abschnitts, entlang ihrer Spur annotieren; zweifelhafte und annotierte Bilder bleiben aus</translation>
+   <translation>Annotiert die Bilder der Einstellung oder des auf dem Streifen markierten Abschnitts entlang ihrer Spur; annotierte werden ausgelassen, zweifelhafte auch, wenn es nicht noch einmal gedrückt wird</translation>
   </message>
   <message>
    <source>Take back the accepted stretch</source>

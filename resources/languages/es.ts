@@ -477,13 +477,38 @@
   </message>
   <message>
    <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
    <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>faltan líneas que deberían verse</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>hay pintura donde el campo no la tiene</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>se ven demasiado pocas líneas para decirlo</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>allí apenas hay cámaras</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>las líneas a la vista no determinan la cámara</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del suelo</translation>
+   <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del campo</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -491,39 +516,14 @@
    <translation>¿es esto {field} y no otro deporte? {why}</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>la imagen es casi cuadrada, como una comprimida: sus píxeles quizá no sean cuadrados</translation>
-  </message>
-  <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>faltan líneas que deberían verse</translation>
-  </message>
-  <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>hay pintura donde el campo no la tiene</translation>
-  </message>
-  <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>allí apenas hay cámaras</translation>
-  </message>
-  <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>se ven demasiado pocas líneas para decirlo</translation>
-  </message>
-  <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>las líneas a la vista dejan abierta la cámara: {what}</translation>
-  </message>
-  <message>
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
    <translation>ninguna cámara encaja con la pintura de esta imagen: en la mejor {shares}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>la imagen es casi cuadrada, como una comprimida: sus píxeles quizá no sean cuadrados</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -539,6 +539,11 @@
    <source>the paint that was found would move the camera too far</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>la pintura hallada movería demasiado la cámara</translation>
+  </message>
+  <message>
+   <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>el seguimiento se aparta {px:.0f} px de la imagen más cercana cuya cámara se conocía</translation>
   </message>
   <message>
    <source>{count} of {total} clicks lie where the camera shows nothing</source>
@@ -1280,6 +1285,11 @@
    <source>copy from {frame}</source>
    <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>copiar de {frame}</translation>
+  </message>
+  <message>
+   <source>left out, not in the picture or no line seen: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
+   <translation>omitidos, fuera de la imagen o sin línea visible: {elements}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
@@ -2894,14 +2904,27 @@ Pierde {loses}.</translation>
    <translation>se editó desde entonces</translation>
   </message>
   <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <source>no frame to accept: follow the shot first (T)</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>ninguna imagen que aceptar: siga primero el plano (T); las dudosas y las anotadas se dejan fuera</translation>
+   <translation>ninguna imagen que aceptar: siga primero el plano (T)</translation>
+  </message>
+  <message>
+   <source>no frame to accept: all that were followed are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>ninguna imagen que aceptar: todas las seguidas están anotadas</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>modo ciego: no se acepta nada que no se haya marcado</translation>
+  </message>
+  <message numerus="yes">
+   <source>all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} frame is doubtful ({why}): look at it; Ctrl+Shift+Enter once more accepts it / all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} imagen es dudosa ({why}): mírela; Ctrl+Mayús+Intro otra vez la acepta</numerusform>
+    <numerusform>las {n:,} imágenes son dudosas ({why}): mire algunas; Ctrl+Mayús+Intro otra vez las acepta</numerusform>
+   </translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
@@ -2943,6 +2966,11 @@ Pierde {loses}.</translation>
    <translation>buscando pintura a lo largo del seguimiento</translation>
   </message>
   <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
+  </message>
+  <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
@@ -2967,10 +2995,23 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>retirado: ninguna imagen está aceptada</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} doubtful frame left: Ctrl+Shift+Enter once more accepts it / {n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>queda {n:,} imagen dudosa: Ctrl+Mayús+Intro otra vez la acepta</numerusform>
+    <numerusform>quedan {n:,} imágenes dudosas: Ctrl+Mayús+Intro otra vez las acepta</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
+   <source>the camera of this frame is unsure: a sure one is looked for in the shot; look at this one, accept its lines (Shift+Enter), then T follows them</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>la cámara de esta imagen es insegura: se busca una segura en el plano; mire esta, acepte sus líneas (Mayús+Intro) y T las seguirá</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>ninguna imagen del plano tiene una cámara segura: acepte las líneas de una (Mayús+Intro) o anótela y T la seguirá</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3012,11 +3053,6 @@ Pierde {loses}.</translation>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>modo ciego: no se sigue ningún plano, se verían sus cámaras</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>ninguna imagen del plano tiene una cámara segura: anote una y sígalo después</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
@@ -7980,9 +8016,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Aceptar el tramo</translation>
   </message>
   <message>
-   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; doubtful frames and annotated ones are left out</source>
+   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; annotated ones are left out, and doubtful ones unless it is pressed again</source>
    <extracomment>[the action accept_stretch]</extracomment>
-   <translation>Anotar las imágenes del plano, o del tramo marcado en la tira, a lo largo de su seguimiento; las dudosas y las anotadas se dejan fuera</translation>
+   <translation>Anota las imágenes del plano, o del tramo marcado en la tira, según su seguimiento; se omiten las anotadas, y las dudosas salvo que se pulse otra vez</translation>
   </message>
   <message>
    <source>Take back the accepted stretch</source>

@@ -477,13 +477,38 @@
   </message>
   <message>
    <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
    <translation>une autre caméra qui montre d’autres lignes convient presque aussi bien à l’image</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>il manque des lignes qui devraient se voir</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>il y a de la peinture là où le terrain n’en a pas</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>trop peu de lignes en vue pour le dire</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>les caméras ne se tiennent guère là</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>les lignes en vue ne déterminent pas la caméra</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture au sol</translation>
+   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture du terrain</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -491,39 +516,14 @@
    <translation>est-ce bien {field}, et pas un autre sport ? {why}</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>l’image est presque carrée, comme une image comprimée : ses pixels ne sont peut-être pas carrés</translation>
-  </message>
-  <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>il manque des lignes qui devraient se voir</translation>
-  </message>
-  <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>il y a de la peinture là où le terrain n’en a pas</translation>
-  </message>
-  <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>les caméras ne se tiennent guère là</translation>
-  </message>
-  <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>trop peu de lignes en vue pour le dire</translation>
-  </message>
-  <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>les lignes en vue laissent la caméra ouverte : {what}</translation>
-  </message>
-  <message>
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
    <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>l’image est presque carrée, comme une image comprimée : ses pixels ne sont peut-être pas carrés</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -539,6 +539,11 @@
    <source>the paint that was found would move the camera too far</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>la peinture trouvée déplacerait trop la caméra</translation>
+  </message>
+  <message>
+   <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>le suivi s’écarte de {px:.0f} px de l’image la plus proche dont la caméra était connue</translation>
   </message>
   <message>
    <source>{count} of {total} clicks lie where the camera shows nothing</source>
@@ -1280,6 +1285,11 @@
    <source>copy from {frame}</source>
    <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>copier de {frame}</translation>
+  </message>
+  <message>
+   <source>left out, not in the picture or no line seen: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
+   <translation>omis, hors de l’image ou aucune ligne visible : {elements}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
@@ -2894,14 +2904,27 @@ Perd {loses}.</translation>
    <translation>elle a été modifiée depuis</translation>
   </message>
   <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <source>no frame to accept: follow the shot first (T)</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
+   <translation>aucune image à accepter : suivez d’abord le plan (T)</translation>
+  </message>
+  <message>
+   <source>no frame to accept: all that were followed are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>aucune image à accepter : toutes celles qui ont été suivies sont annotées</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
+  </message>
+  <message numerus="yes">
+   <source>all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} frame is doubtful ({why}): look at it; Ctrl+Shift+Enter once more accepts it / all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image est douteuse ({why}) : regardez-la ; Ctrl+Maj+Entrée encore une fois l’accepte</numerusform>
+    <numerusform>les {n:,} images sont douteuses ({why}) : regardez-en quelques-unes ; Ctrl+Maj+Entrée encore une fois les accepte</numerusform>
+   </translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
@@ -2943,6 +2966,11 @@ Perd {loses}.</translation>
    <translation>recherche de peinture le long du suivi</translation>
   </message>
   <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
+  </message>
+  <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image acceptée : {why}</translation>
@@ -2967,10 +2995,23 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>annulé : aucune image n’est acceptée</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} doubtful frame left: Ctrl+Shift+Enter once more accepts it / {n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} image douteuse laissée : Ctrl+Maj+Entrée encore une fois l’accepte</numerusform>
+    <numerusform>{n:,} images douteuses laissées : Ctrl+Maj+Entrée encore une fois les accepte</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
+   <source>the camera of this frame is unsure: a sure one is looked for in the shot; look at this one, accept its lines (Shift+Enter), then T follows them</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>la caméra de cette image n’est pas sûre : une caméra sûre est cherchée dans le plan ; regardez celle-ci, acceptez ses lignes (Maj+Entrée), puis T les suit</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>aucune image du plan n’a de caméra sûre : acceptez les lignes de l’une d’elles (Maj+Entrée) ou annotez-la, puis T la suit</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3012,11 +3053,6 @@ Perd {loses}.</translation>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
@@ -7980,9 +8016,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Accepter le passage</translation>
   </message>
   <message>
-   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; doubtful frames and annotated ones are left out</source>
+   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; annotated ones are left out, and doubtful ones unless it is pressed again</source>
    <extracomment>[the action accept_stretch]</extracomment>
-   <translation>Annoter les images du plan, ou du passage marqué sur la bande, le long de leur suivi ; les images douteuses et les images annotées sont laissées de côté</translation>
+   <translation>Annote les images du plan, ou de la portion marquée sur la bande, d’après leur suivi ; les images annotées sont omises, les douteuses aussi sauf si l’on appuie encore une fois</translation>
   </message>
   <message>
    <source>Take back the accepted stretch</source>

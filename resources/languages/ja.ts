@@ -469,13 +469,38 @@
   </message>
   <message>
    <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
    <translation>別の線を写す別のカメラも画像にほぼ同じくらい合います</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>見えるはずの線が欠けています</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>フィールドにないはずの所に塗りがあります</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>見える線が少なすぎて判断できません</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>カメラがそこにあることはほとんどありません</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>見える線だけではカメラが定まりません</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>見える線の {lines:.0f} % が塗りの上にあり、地面の塗りの {paint:.0f} % を説明します</translation>
+   <translation>見える線の {lines:.0f} % が塗りの上にあり、フィールドの塗りの {paint:.0f} % を説明します</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -483,39 +508,14 @@
    <translation>これは {field} で、ほかの競技ではありませんか？ {why}</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>画像がほぼ正方形で、押し縮められた可能性があります：画素が正方形でないかもしれません</translation>
-  </message>
-  <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>見えるはずの線が欠けています</translation>
-  </message>
-  <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>フィールドにないはずの所に塗りがあります</translation>
-  </message>
-  <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>カメラがそこにあることはほとんどありません</translation>
-  </message>
-  <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>見える線が少なすぎて判断できません</translation>
-  </message>
-  <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>見える線だけではカメラが決まりません：{what}</translation>
-  </message>
-  <message>
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
    <translation>この画像の塗りに合うカメラがありません：最良のものでも{shares}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>画像がほぼ正方形で、押し縮められた可能性があります：画素が正方形でないかもしれません</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -531,6 +531,11 @@
    <source>the paint that was found would move the camera too far</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>見つかった塗りではカメラが動きすぎます</translation>
+  </message>
+  <message>
+   <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>追跡は、カメラが既知だった最も近いフレームから {px:.0f} px ずれています</translation>
   </message>
   <message>
    <source>{count} of {total} clicks lie where the camera shows nothing</source>
@@ -1265,6 +1270,11 @@
    <source>copy from {frame}</source>
    <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>{frame} からコピー</translation>
+  </message>
+  <message>
+   <source>left out, not in the picture or no line seen: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
+   <translation>省略（画像外、または線が見えない）：{elements}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
@@ -2843,14 +2853,26 @@ Loses {loses}.</source>
    <translation>その後編集されました</translation>
   </message>
   <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <source>no frame to accept: follow the shot first (T)</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>採用するフレームがありません。まずショットを追跡してください（T）。疑わしいフレームと注釈済みのフレームは除きます</translation>
+   <translation>受け入れるフレームがありません。先にショットを追跡してください（T）</translation>
+  </message>
+  <message>
+   <source>no frame to accept: all that were followed are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>受け入れるフレームがありません。追跡したフレームはすべて注釈済みです</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>ブラインドモード：クリックしていないものは採用しません</translation>
+  </message>
+  <message numerus="yes">
+   <source>all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} frame is doubtful ({why}): look at it; Ctrl+Shift+Enter once more accepts it / all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームすべてが疑わしいです（{why}）。いくつか確認してください。もう一度 Ctrl+Shift+Enter で受け入れます</numerusform>
+   </translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
@@ -2889,6 +2911,11 @@ Loses {loses}.</source>
    <translation>追跡に沿って塗りを探しています</translation>
   </message>
   <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>採用したフレームはありません：線がほとんど見えません</translation>
+  </message>
+  <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>採用したフレームはありません：{why}</translation>
@@ -2913,10 +2940,22 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>取り消しました：採用したフレームはありません</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} doubtful frame left: Ctrl+Shift+Enter once more accepts it / {n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>疑わしい {n:,} フレームを残しました。もう一度 Ctrl+Shift+Enter で受け入れます</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>採用したフレームはありません：線がほとんど見えません</translation>
+   <source>the camera of this frame is unsure: a sure one is looked for in the shot; look at this one, accept its lines (Shift+Enter), then T follows them</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>このフレームのカメラは不確かです。ショット内で確かなカメラを探しています。このカメラを確認して線を受け入れると（Shift+Enter）、T で追跡します</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>ショットに確かなカメラのフレームがありません。1 フレームの線を受け入れる（Shift+Enter）か注釈すると、T で追跡します</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -2956,11 +2995,6 @@ Loses {loses}.</source>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>ブラインドモード：カメラが見えてしまうため、ショットは追跡しません</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>ショットに確かなカメラのフレームがありません。1 つ注釈してから追跡してください</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
@@ -7871,9 +7905,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>区間を採用</translation>
   </message>
   <message>
-   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; doubtful frames and annotated ones are left out</source>
+   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; annotated ones are left out, and doubtful ones unless it is pressed again</source>
    <extracomment>[the action accept_stretch]</extracomment>
-   <translation>ショット、または帯で印を付けた区間のフレームに追跡に沿って注釈を付けます。疑わしいフレームと注釈済みのフレームは除きます</translation>
+   <translation>ショット、またはストリップで選んだ区間のフレームを追跡に沿って注釈します。注釈済みは除かれ、疑わしいフレームはもう一度押した場合だけ含まれます</translation>
   </message>
   <message>
    <source>Take back the accepted stretch</source>

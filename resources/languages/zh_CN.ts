@@ -469,13 +469,38 @@
   </message>
   <message>
    <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
    <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>缺少本应可见的线</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>在场地没有画线之处有画线</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>可见的线太少，无法判断</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>相机很少位于该处</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open</source>
+   <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
+   <translation>可见线不足以确定相机</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>可见线的 {lines:.0f} % 落在画线上，解释了地面画线的 {paint:.0f} %</translation>
+   <translation>可见线的 {lines:.0f} % 落在画线上，解释了场地画线的 {paint:.0f} %</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -483,39 +508,14 @@
    <translation>这是 {field}，而不是其他运动吗？{why}</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>画面接近正方形，可能被压缩过：其像素可能不是正方形</translation>
-  </message>
-  <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>缺少本应可见的线</translation>
-  </message>
-  <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>在场地没有画线之处有画线</translation>
-  </message>
-  <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>相机很少位于该处</translation>
-  </message>
-  <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>可见的线太少，无法判断</translation>
-  </message>
-  <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>可见的线无法确定相机：{what}</translation>
-  </message>
-  <message>
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
    <translation>没有相机与此图片的画线吻合：最好的为{shares}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>画面接近正方形，可能被压缩过：其像素可能不是正方形</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -531,6 +531,11 @@
    <source>the paint that was found would move the camera too far</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>找到的画线会使相机移动过多</translation>
+  </message>
+  <message>
+   <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>跟踪结果与最近的已知相机帧相差 {px:.0f} px</translation>
   </message>
   <message>
    <source>{count} of {total} clicks lie where the camera shows nothing</source>
@@ -1265,6 +1270,11 @@
    <source>copy from {frame}</source>
    <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>从 {frame} 复制</translation>
+  </message>
+  <message>
+   <source>left out, not in the picture or no line seen: {elements}</source>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
+   <translation>已略过（不在图片中或看不到线）：{elements}</translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
@@ -2843,14 +2853,26 @@ Loses {loses}.</source>
    <translation>此后已编辑</translation>
   </message>
   <message>
-   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <source>no frame to accept: follow the shot first (T)</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>没有可接受的帧：请先跟踪镜头（T）；存疑的帧和已标注的帧除外</translation>
+   <translation>没有可接受的帧：请先跟踪镜头（T）</translation>
+  </message>
+  <message>
+   <source>no frame to accept: all that were followed are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>没有可接受的帧：已跟踪的帧均已标注</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>盲标模式：未点击的内容一律不接受</translation>
+  </message>
+  <message numerus="yes">
+   <source>all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} frame is doubtful ({why}): look at it; Ctrl+Shift+Enter once more accepts it / all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>全部 {n:,} 帧存疑（{why}）：请查看几帧；再按一次 Ctrl+Shift+Enter 即可接受</numerusform>
+   </translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
@@ -2889,6 +2911,11 @@ Loses {loses}.</source>
    <translation>正在沿跟踪寻找画线</translation>
   </message>
   <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>未接受任何帧：可见的线太少</translation>
+  </message>
+  <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
@@ -2913,10 +2940,22 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>已撤回：不接受任何帧</translation>
   </message>
+  <message numerus="yes">
+   <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
+   <extracomment>{n:,} doubtful frame left: Ctrl+Shift+Enter once more accepts it / {n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>剩余 {n:,} 个存疑的帧：再按一次 Ctrl+Shift+Enter 即可接受</numerusform>
+   </translation>
+  </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>未接受任何帧：可见的线太少</translation>
+   <source>the camera of this frame is unsure: a sure one is looked for in the shot; look at this one, accept its lines (Shift+Enter), then T follows them</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>本帧的相机不确定：正在镜头中查找确定的相机；请查看本帧并接受其线（Shift+Enter），之后按 T 跟踪</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
+   <translation>镜头中没有相机确定的帧：请接受某帧的线（Shift+Enter）或标注该帧，之后按 T 跟踪</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -2956,11 +2995,6 @@ Loses {loses}.</source>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
    <translation>盲标模式：不跟踪镜头，否则会看到其相机</translation>
-  </message>
-  <message>
-   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
-   <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>镜头中没有确定相机的帧：请标注一帧后再跟踪</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
@@ -7871,9 +7905,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>接受区段</translation>
   </message>
   <message>
-   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; doubtful frames and annotated ones are left out</source>
+   <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; annotated ones are left out, and doubtful ones unless it is pressed again</source>
    <extracomment>[the action accept_stretch]</extracomment>
-   <translation>沿跟踪结果标注镜头的帧，或帧条上所标区段的帧；存疑的帧和已标注的帧除外</translation>
+   <translation>沿跟踪结果标注镜头或条带上所选区段的帧；已标注的帧略过，存疑的帧需再按一次才接受</translation>
   </message>
   <message>
    <source>Take back the accepted stretch</source>

@@ -52,7 +52,7 @@ def classify_proposal(
     it is right."""
     shares = translatable(
         "{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the"
-        " paint on the ground",
+        " paint on the field",
         lines=100 * seen.coverage,
         paint=100 * seen.explained,
     )
