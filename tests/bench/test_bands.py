@@ -38,7 +38,7 @@ def test_held_out_points_in_their_bands(benchmark, world_cup, model, least):
                 for name, covariance, offset in (
                     ("clicks", fit.of_clicks, 0.0),
                     ("camera", fit.covariance, 0.0),
-                    ("ghost", fit.covariance, fit.offset_px),
+                    ("ghost", fit.covariance, fit.shared),
                 ):
                     slopes = off.derivatives[0]
                     squares = np.einsum("pkn,pq,qkn->kn", slopes, covariance, slopes) + offset**2
