@@ -47,16 +47,18 @@ class PointNoise:
         click_px: standard deviation of a point across its element, solver px.
         shared: standard deviation of what all points of an element share, in units of
             `SHARED_SD_M` and `SHARED_SD_PX`.
-        counted_px: standard deviation of independent points that, with the weights of these, would
-            leave the camera as uncertain; at least `MIN_COUNTED_PX`. The prior is weighed with it.
         scatter: (n, n) covariance of the gradient by the n free parameters that both cause, solver
             px squared times the squares of the derivatives.
     """
 
     click_px: float
     shared: float
-    counted_px: float
     scatter: FloatArray
+
+    @property
+    def counted_px(self) -> float:
+        """Standard deviation of a point that the prior is weighed with, solver px."""
+        return max(self.click_px, MIN_COUNTED_PX)
 
 
 def estimate_noise(
@@ -110,12 +112,8 @@ def estimate_noise(
         np.einsum("prn,irn->pin", pulls, effects), seen.starts, axis=2
     ).reshape(free, -1)
     pulls = pulls.reshape(free, -1)
-    normal = pulls @ found.derivatives[0].reshape(free, -1).T
     scatter = click_px**2 * pulls @ pulls.T + shared**2 * of_elements @ of_elements.T
-    known = np.diag((click_px * prior_inverse_sd) ** 2 + _TINY)
-    both = np.linalg.solve(normal + known, np.concatenate([scatter, normal], axis=1))
-    counted = float(np.trace(both[:, :free]) / np.trace(both[:, free:])) ** 0.5
-    return PointNoise(click_px, shared, max(counted, MIN_COUNTED_PX), scatter)
+    return PointNoise(click_px, shared, scatter)
 
 
 def _shared_effects(found: Residuals, displacements: FloatArray) -> FloatArray:

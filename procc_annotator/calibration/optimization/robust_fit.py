@@ -69,7 +69,7 @@ MIN_ELEMENTS = 3
 _STALE_ELEMENT_SHARE, _STALE_PX = 1 / 3, 5.0
 
 # A camera is solved anew where its points are off by more, or less, than this (of the logarithm).
-_SETTLED_LOG = 0.4
+_SETTLED_LOG = 0.2
 _NOISE_ROUNDS, _AGAIN_TOLERANCE = 3, 1e-3
 _DISPLACEMENT_M = 0.01  # for derivatives by differences
 
