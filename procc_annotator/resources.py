@@ -1,4 +1,4 @@
-"""Locate bundled resources and the user's data folder."""
+"""Locate bundled resources and the user's data and cache folders."""
 
 from __future__ import annotations
 
@@ -28,11 +28,20 @@ def data_folder() -> Path | None:
     Returns:
         None when the user has no home.
     """
+    return _user_folder("XDG_DATA_HOME", "~/.local/share", "~/Library/Application Support")
+
+
+def cache_folder() -> Path | None:
+    """Return where programs keep what they can compute again, as `data_folder`."""
+    return _user_folder("XDG_CACHE_HOME", "~/.cache", "~/Library/Caches")
+
+
+def _user_folder(variable: str, linux: str, mac: str) -> Path | None:
     if sys.platform == "win32":
         named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"
     elif sys.platform == "darwin":
-        named, usual = "", "~/Library/Application Support"
+        named, usual = "", mac
     else:
-        named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
+        named, usual = os.environ.get(variable, ""), linux
     folder = named if os.path.isabs(named) else os.path.expanduser(usual)
     return Path(folder) if os.path.isabs(folder) else None

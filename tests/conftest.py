@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import gc
 import os
@@ -32,6 +33,11 @@ if TYPE_CHECKING:
     from procc_annotator.calibration.label_check.finding import Finding
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# Not the user's; one for all processes of a run, which inherit it from the first one.
+if "PROCC_TESTS_CACHE" not in os.environ:
+    os.environ["PROCC_TESTS_CACHE"] = tempfile.mkdtemp(prefix="procc-tests-cache-")
+    atexit.register(shutil.rmtree, os.environ["PROCC_TESTS_CACHE"], ignore_errors=True)
+os.environ["XDG_CACHE_HOME"] = os.environ["PROCC_TESTS_CACHE"]
 
 # The same examples in every run, and none that fails because the machine is busy; a taste of them:
 # `make soak` goes on with others.

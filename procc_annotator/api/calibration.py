@@ -23,6 +23,7 @@ from procc_annotator.calibration.label_check.check import check_labels as findin
 from procc_annotator.calibration.label_check.finding import Finding
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image import propose
+from procc_annotator.calibration.single_image.probability import POSSIBLE_FROM, SURE_FROM
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
 from procc_annotator.calibration.tracking import shot_tracker
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
@@ -84,6 +85,7 @@ def propose_camera(
     field: Field | str | None = None,
     *,
     known: Sequence[KnownPosition] = (),
+    sure_from: float = SURE_FROM,
 ) -> Proposal:
     """Find the camera of a picture from the paint in it, without a click.
 
@@ -95,12 +97,14 @@ def propose_camera(
         known: where its camera may be known to stand (`KnownPosition`: metres and covariance), as
             on the tripod of other frames: searched in addition to all other positions, and never
             a replacement for a better camera found without it.
+        sure_from: the probability of being right from which on a camera is called sure, 0.5 to 1.
 
     Returns:
-        ``state`` (``sure``, ``unsure`` or ``none``), the ``reason`` in words, and ``fit``: the
-        camera in px of the picture with its standard deviations; its ``camera`` is None if there is
-        none. ``coverage`` is the share of the visible model found on paint, ``explained`` the share
-        of the paint that the model explains, ``margin`` how much better it is than the
+        ``probability`` that the camera is right, 0 to 1, and with it ``state`` (``sure``,
+        ``unsure`` or ``none``), the ``reason`` in words, and ``fit``: the camera in px of the
+        picture with its standard deviations; its ``camera`` is None if there is none. ``coverage``
+        is the share of the visible model found on paint, ``explained`` the share of the paint on
+        the field that the model explains, ``margin`` how much better it is than the
         ``runner_up``, each 0 to 1. Rely on those that are sure only.
 
     Raises:
@@ -108,7 +112,11 @@ def propose_camera(
         ImageError: the file cannot be read.
         FieldError: no such field.
     """
-    return propose.propose_camera(as_picture(picture), as_field(field), known=known)
+    if not POSSIBLE_FROM <= sure_from <= 1:
+        raise UsageError(f"sure_from: expected a probability from {POSSIBLE_FROM} to 1")
+    return propose.propose_camera(
+        as_picture(picture), as_field(field), known=known, sure_from=sure_from
+    )
 
 
 def track(

@@ -14,12 +14,13 @@ from procc_annotator.assist.ghost_ends import locate_line_ends, reach_of
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.assist.visible_line import VisibleLine, find_line
 from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import ANY, EDGE, LINE, Field
 from procc_annotator.image.pixels import PixelArray
 
 # The share of a ghost that must be seen as a line for it to be accepted with all others.
 LEAST_SUPPORT = 0.5
 _FEWEST_POINTS = 2
+_MOSTLY_SEEN = 0.5  # of a line as its paint: it is no edge between two areas
 _ONE_PLACE_PX = 3.0
 
 
@@ -72,11 +73,22 @@ def find_points(
         field: knows which elements are curved.
         size: (width, height) px.
     """
+    found = _find_points(ghost, picture, field, size, ExpectedLines(field, size[0]))
+    element = field.element(ghost.name)
+    looks = None if element is None else element.appearance
+    if looks is None or looks.kind != LINE or looks.tone != ANY or found.support >= _MOSTLY_SEEN:
+        return found
+    edges = ExpectedLines(field, size[0], edges=True)
+    return max(found, _find_points(ghost, picture, field, size, edges), key=lambda f: f.support)
+
+
+def _find_points(
+    ghost: Ghost, picture: PixelArray, field: Field, size: tuple[int, int], paint: ExpectedLines
+) -> GhostPoints:
     element = field.element(ghost.name)
     curved = element is not None and element.is_curved
-    on_ground = element is not None and element.on_ground
-    paint = ExpectedLines(field, size[0])
     sought = replace(paint.of(ghost.name), is_expected=True)
+    on_ground = element is not None and element.on_ground and sought.looks.kind != EDGE
 
     straight = len(ghost.pieces) == 1 and element is not None and element.is_straight
     beyond = (reach_of(ghost.ends[0]), reach_of(ghost.ends[1])) if straight else (0.0, 0.0)

@@ -18,7 +18,7 @@ from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.prediction.visible_elements import steps_to_image_edge
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.geometry import Chain
-from procc_annotator.field.model import ANY_LINE, LINE, NOTHING, Element, Field
+from procc_annotator.field.model import ANY, ANY_LINE, EDGE, LINE, NOTHING, Element, Field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.image.line_profiles import LineTarget
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines
@@ -39,10 +39,14 @@ class ExpectedLines:
         field: its elements.
         width_px: of the picture.
         camera: in px of the picture; None if unknown or hidden.
+        edges: whether lines of any tone are edges between two areas, without paint.
     """
 
-    def __init__(self, field: Field, width_px: int, camera: Camera | None = None) -> None:
+    def __init__(
+        self, field: Field, width_px: int, camera: Camera | None = None, *, edges: bool = False
+    ) -> None:
         self._field = field
+        self._edges = edges
         self._width_px = width_px
         self._camera = camera
         looks = Counter(e.appearance for e in field.elements if e.appearance.kind == LINE)
@@ -54,6 +58,8 @@ class ExpectedLines:
         elements look like."""
         element = self._field.element(class_name)
         looks = element.appearance if element is not None else self._usual
+        if self._edges and looks.kind == LINE and looks.tone == ANY:
+            looks = replace(looks, kind=EDGE, width_m=0.0)
         bends = element is None or element.is_curved
         return replace(LineTarget.of(looks, self._width_px), bends=bends)
 

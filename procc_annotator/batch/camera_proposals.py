@@ -16,15 +16,25 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
 from procc_annotator.batch.set_run import SetRun
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.optimization.camera_parameters import (
+    POSITION_SLICE,
+    vector_from_camera,
+)
+from procc_annotator.calibration.optimization.observations import ImageFrame
+from procc_annotator.calibration.single_image.pixel_aspect import (
+    PixelAspect,
+    most_probable_aspect,
+    possible_pixel_aspects,
+)
+from procc_annotator.calibration.single_image.probability import SURE_FROM, ProposalEvidence
 from procc_annotator.calibration.single_image.proposal import (
     SURE,
-    UNSURE,
     KnownPosition,
     Proposal,
     cluster_camera_positions,
     cluster_fit_positions,
 )
-from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.single_image.propose import found_camera, propose_camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import CameraError, InputError, ProccError, UsageError
@@ -129,22 +139,32 @@ def proposers() -> tuple[dict[str, PictureProposer], tuple[str, ...]]:
 
 @dataclass(frozen=True)
 class WithPlugin:
-    """`propose_camera`, also where a detector says that the camera stands: what it says is made
-    right on the paint, and judged by the same rules.
+    """`propose_camera`, also with the cameras of a detector and where it says that they stand:
+    what it says is made right on the paint, and judged by the same probability.
 
     It survives the trip to a worker, where the detector is loaded anew.
 
     Attributes:
         name: of the detector.
+        pixels, sure_from: see `propose_camera`.
     """
 
     name: str
+    pixels: PixelAspect | None = None
+    sure_from: float = SURE_FROM
 
     def __call__(
         self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
     ) -> Proposal:
-        hinted = _positions(self.hints(picture, field))
-        return propose_camera(picture, field, known=(*known, *hinted))
+        size = (picture.shape[1], picture.shape[0])
+        hinted = _hypotheses(self.hints(picture, field), ImageFrame(size))
+        return propose_camera(
+            picture,
+            field,
+            known=(*known, *hinted),
+            pixels=self.pixels,
+            sure_from=self.sure_from,
+        )
 
     def hints(self, picture: PixelArray, field: Field) -> list[PinholeCamera]:
         """The cameras that the detector's answers come to.
@@ -178,13 +198,15 @@ class WithPlugin:
         return ProccError(f"the proposer {self.name!r} cannot be used: {why}")
 
 
-def _positions(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
-    found: list[np.ndarray] = []
+def _hypotheses(cameras: Sequence[PinholeCamera], frame: ImageFrame) -> list[KnownPosition]:
+    """The cameras, of those at one position the first."""
+    found: list[KnownPosition] = []
     for camera in cameras:
-        place = np.array(camera.position_world)
-        if all(np.linalg.norm(place - other) > _SD_M for other in found):
-            found.append(place)
-    return [KnownPosition(place, np.eye(3) * _SD_M**2) for place in found[:_MOST_POSITIONS]]
+        vector = vector_from_camera(camera, frame)
+        place = vector[POSITION_SLICE]
+        if all(np.linalg.norm(place - other.position_m) > _SD_M for other in found):
+            found.append(KnownPosition(place, np.eye(3) * _SD_M**2, camera=vector))
+    return found[:_MOST_POSITIONS]
 
 
 def chosen_proposer(name: str) -> PictureProposer:
@@ -256,19 +278,70 @@ class ProposeCameras:
         except InputError as error:
             return Proposed(frame.name, error=str(error))
         field = field_for_frame(self.field, frame.name)
-        proposal = mark_non_square_pixels(
-            self.propose(picture, field, known=self.known), frame.image_path
-        )
+        proposal = self.propose(picture, field, known=self.known)
         return Proposed(frame.name, proposal, time.perf_counter() - began)
 
 
-def mark_non_square_pixels(proposal: Proposal, picture: Path) -> Proposal:
-    """A camera is not sure if the picture is of a video whose pixels are not square."""
+def video_pixel_aspect(picture: Path) -> PixelAspect | None:
+    """The pixels of the video that a frame is of, where its metadata say that they are not
+    square."""
     found = video_frame_of_path(picture)
-    squeezed = "" if found is None else open_shared_video(found[0]).squeezed
-    if proposal.state != SURE or not squeezed:
-        return proposal
-    return replace(proposal, state=UNSURE, reason=squeezed)
+    aspect = 1.0 if found is None else open_shared_video(found[0]).pixel_aspect
+    return None if aspect == 1 else PixelAspect(aspect, 1.0)
+
+
+ASPECT_SETTING = "pixel_aspect"  # the key under which a dataset keeps its pixel aspect
+_ASPECT_PICTURES, _CERTAIN = 12, 0.999
+
+
+def stored_pixel_aspect(setting: str | None) -> PixelAspect | None:
+    """The pixel aspect that a dataset keeps; None without one that can be read."""
+    try:
+        value, probability = (float(part) for part in (setting or "").split())
+    except ValueError:
+        return None
+    return PixelAspect(value, probability) if 0 < value < 10 and 0 < probability <= 1 else None
+
+
+def aspect_setting(pixels: PixelAspect) -> str:
+    """What `stored_pixel_aspect` reads."""
+    return f"{pixels.value!r} {pixels.probability!r}"
+
+
+def set_pixel_aspect(
+    frames: Sequence[Frame], field: Field, go_on: Callable[[], None] = lambda: None
+) -> PixelAspect | None:
+    """Find out how wide the pixels of a set are, from some of its pictures.
+
+    Args:
+        frames: of one source.
+        field: the elements, metres.
+        go_on: called between steps; what it raises ends the search.
+
+    Returns:
+        None where pictures have a shape that cameras make.
+    """
+    stated = video_pixel_aspect(frames[0].image_path) if frames else None
+    if stated is not None:
+        return stated
+    possible: Sequence[PixelAspect] = ()
+    evidence: list[list[ProposalEvidence | None]] = []
+    for frame in frames[:: max(len(frames) // _ASPECT_PICTURES, 1)][:_ASPECT_PICTURES]:
+        try:
+            picture = decode_for_camera(frame.image_path)
+        except InputError:  # the run lists it
+            continue
+        own = possible_pixel_aspects((picture.shape[1], picture.shape[0]))
+        if len(own) == 1 or (possible and own != possible):
+            return None
+        possible, evidence = own, evidence or [[] for _ in own]
+        for aspect, of_pictures in zip(own, evidence, strict=True):
+            own_field = field_for_frame(field, frame.name)
+            best = found_camera(picture, own_field, aspect.value, go_on=go_on)
+            of_pictures.append(best.evidence if best else None)
+        if most_probable_aspect(possible, evidence).probability > _CERTAIN:
+            break
+    return most_probable_aspect(possible, evidence) if possible else None
 
 
 class ProposalRun(SetRun[Frame, Proposed, None]):

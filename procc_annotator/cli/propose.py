@@ -4,26 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from procc_annotator.batch.camera_proposals import (
+    ASPECT_SETTING,
     ProposalRun,
     Proposer,
     WithPlugin,
     chosen_proposer,
     read_positions,
+    set_pixel_aspect,
+    stored_pixel_aspect,
 )
 from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.calibration.single_image.probability import POSSIBLE_FROM, SURE_FROM
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import FrameAnnotations
+from procc_annotator.dataset.database.location import read_settings
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import InputError, UsageError
@@ -47,9 +53,10 @@ them (match_000123). Nobody has to click: the camera is found from the paint in 
 that are annotated are passed over, unless --all.
 
 OUT gets camera_FRAME.json for the sure ones, SoccerNet JSON in px of the picture; those that are
-not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure, none), the reason,
-coverage (share of the visible model on paint), explained (share of the paint on the model),
-residual in px, margin (how much better than the next camera), standard deviations, seconds.
+not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure, none), the
+probability that the camera is right, the reason, coverage (share of the visible model on paint),
+explained (share of the paint on the field that is on the model), residual in px, margin (how much
+better than the next camera), standard deviations, seconds.
 
 --known-positions CAMERAS: cameras of other frames of the match, or positions.csv of calibrate
 --shared-position. They are searched in addition to all others, and never replace a
@@ -98,6 +105,16 @@ With = Annotated[
         help="A detector that is installed: its cameras or points are judged among the others.",
     ),
 ]
+SureFrom = Annotated[
+    float,
+    typer.Option(
+        "--sure-from",
+        min=POSSIBLE_FROM,
+        max=1.0,
+        metavar="P",
+        help="Probability of being right from which on a camera is sure.",
+    ),
+]
 All = Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")]
 Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Workers = Annotated[
@@ -126,6 +143,7 @@ class ProposeOptions:
     every_frame: All = False
     every: Every = 1
     detector: With = None
+    sure_from: SureFrom = SURE_FROM
     annotations: input_files.Annotations = None
     labels: options.LabelsFile = None
     field: options.FieldName = None
@@ -141,10 +159,8 @@ def propose(given: ProposeOptions) -> None:
     for place in (given.annotations, given.known):
         if place is not None and not place.exists():
             raise UsageError(f"{place}: does not exist")
-    proposer: Proposer = propose_camera
     if given.detector is not None:
         chosen_proposer(given.detector)
-        proposer = WithPlugin(given.detector)
     shown = chosen_field(given.field, given.dataset, lines=given.lines)
     names = options.label_map(given.labels, shown)
     pictures = open_pictures(given.dataset, given.annotations)
@@ -162,9 +178,23 @@ def propose(given: ProposeOptions) -> None:
     annotated = None if given.every_frame else pictures.annotated(given.annotations, shown, names)
     wanted = _frames_to_propose(pictures.frames[:: given.every], shown, annotated)
     chosen = wanted.frames
+    settings, _ = read_settings(given.dataset)
+    stored = stored_pixel_aspect(settings.get(ASPECT_SETTING))
+    pixels = stored or set_pixel_aspect(chosen, shown)
+    if pixels is not None:
+        echo(
+            f"pixels are {pixels.value:.3f} times as wide as high"
+            f" (probability {100 * pixels.probability:.1f} %)"
+        )
+    proposer: Proposer = (
+        partial(propose_camera, pixels=pixels, sure_from=given.sure_from)
+        if given.detector is None
+        else WithPlugin(given.detector, pixels, given.sure_from)
+    )
     run = ProposalRun(chosen, shown, proposer, positions)
     asked = {
         "detector": given.detector or "",
+        "sure from": str(given.sure_from),
         "field": field_settings(shown),
     }
     try:

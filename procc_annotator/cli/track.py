@@ -13,7 +13,7 @@ import typer
 from procc_annotator.assist.track_anchors import TrackAnchors
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.tracking import ShotToTrack, TrackRun, damaged_pictures
-from procc_annotator.calibration.single_image.propose import warm_up_caches
+from procc_annotator.calibration.single_image.candidates import warm_up_caches
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
@@ -52,9 +52,9 @@ and track.csv, a row a frame: shot (its first frame), state (anchor; followed on
 the picture's motion, where too little paint is seen; lost), the reason, coverage (share of the
 visible model on paint), residual in px, standard deviations, frames to the nearest anchor.
 
-Cameras are written as they come, and once more when their shot is done, refined over all of it; its
-rows come with that. A run that was interrupted is started again to go on: shots whose frames all
-have a row are not followed again, unless they have new anchors, or --overwrite.
+The cameras and rows of a shot are written when it is done. A run that was interrupted is started
+again to go on: shots whose frames all have a row are not followed again, unless they have new
+anchors, or --overwrite.
 
 --from FRAME follows only the shot of that frame (its name or number), in both directions.
 

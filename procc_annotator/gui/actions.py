@@ -186,7 +186,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Frame/Shot", "accept_stretch", "Accept the stretch",
           "Ctrl+Shift+Return Ctrl+Shift+Enter", "stretch_accepting.accept",
           "Annotate the frames of the shot, or of the stretch marked on the strip, along their"
-          " track; doubtful frames and annotated ones are left out"),
+          " track; annotated ones are left out, and doubtful ones unless it is pressed again"),
     _spec("Frame/Shot", "take_back_stretch", "Take back the accepted stretch", "",
           "stretch_accepting.take_back",
           "Frames that were accepted last and not edited since are as they were before"),

@@ -67,34 +67,47 @@ def mask_scale_image(picture: PixelArray) -> PixelArray:
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
-def colour_regions(small: PixelArray, colours: int, calm: float = 0.0) -> Iterator[Mask]:
+def colour_regions(
+    small: PixelArray,
+    colours: int,
+    calm: float = 0.0,
+    further: float = 1.0,
+    least: float = 2 * _MIN_ADDED_SHARE,
+) -> Iterator[Mask]:
     """The largest piece of each of the most frequent colours of what is smooth.
 
     Args:
         small: (h, 320, 3) BGR.
         colours: so many at most.
         calm: share of what is about a place that must be flat; in a crowd less is.
+        further: other pieces of a colour that have such a share of the largest one's area, too.
+        least: share of the picture that is smooth and of none of the colours yet.
     """
     red, blue, bright = _chromaticity(small)
     flat = _smooth_mask(small)
     smooth = (cv2.blur(flat, (9, 9)) > _MIN_FLAT_SHARE) & (small.max(axis=2) > _MIN_BRIGHTNESS)
     quiet = cv2.blur(flat, (_HULL_KERNEL_PX, _HULL_KERNEL_PX)) >= calm
     for _ in range(colours):
-        if smooth.mean() < 2 * _MIN_ADDED_SHARE:
+        if smooth.mean() < least:
             return
         centre = _modal_colour(red[smooth], blue[smooth], bright[smooth], np.nonzero(smooth)[0])
-        alike = np.hypot(red - centre[0], blue - centre[1]) < _CHROMA_TOLERANCE
-        alike &= np.abs(bright - centre[2]) < _BRIGHTNESS_TOLERANCE
-        piece = _largest_component(alike & quiet)
+        alike = _is_alike((red, blue, bright), centre)
+        piece = _largest_components(alike & quiet, further)
         smooth &= ~alike
         if piece.any():
             yield piece
 
 
-def _chromaticity(small: PixelArray) -> tuple[Values, Values, Values]:
+def _chromaticity(small: NDArray[Any]) -> tuple[Values, Values, Values]:
     values = small.astype(np.float32) + 10
-    total = values.sum(axis=2) + 20
-    return values[..., 2] / total, values[..., 0] / total, np.log(values.max(axis=2))
+    total = values.sum(axis=-1) + 20
+    return values[..., 2] / total, values[..., 0] / total, np.log(values.max(axis=-1))
+
+
+def _is_alike(of: Sequence[Any], centre: Sequence[Any]) -> BoolArray:
+    """Return which chromaticities are about the same as one."""
+    alike = np.hypot(of[0] - centre[0], of[1] - centre[1]) < _CHROMA_TOLERANCE
+    return np.asarray(alike & (np.abs(of[2] - centre[2]) < _BRIGHTNESS_TOLERANCE))
 
 
 def _smooth_mask(small: PixelArray) -> Values:
@@ -134,14 +147,15 @@ def _modal_colour(
     )
 
 
-def _largest_component(alike: NDArray[np.bool_]) -> Mask:
+def _largest_components(alike: NDArray[np.bool_], further: float) -> Mask:
     opened = cv2.morphologyEx(alike.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     closed = cv2.morphologyEx(opened, cv2.MORPH_CLOSE, _disc_kernel(7))
     count, labels, figures, _ = cv2.connectedComponentsWithStats(closed)
     if count < 2:
         return np.zeros(alike.shape, dtype=np.uint8)
-    largest = 1 + int(figures[1:, cv2.CC_STAT_AREA].argmax())
-    return np.asarray(labels == largest, dtype=np.uint8)
+    area = figures[:, cv2.CC_STAT_AREA].astype(np.float64)
+    area[0] = 0
+    return np.asarray((area >= further * area.max())[labels], dtype=np.uint8)
 
 
 def is_field_region(piece: Mask, ground: Mask, top: float) -> bool:
@@ -171,9 +185,10 @@ def _disc_kernel(size: int) -> Mask:
     return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size)), dtype=np.uint8)
 
 
-_FLOOR_COLOURS, _MIN_PIECE_SHARE = 5, 0.04  # a piece's share of the picture
-_SMOOTH_SHARE = 0.25  # a crowd has less that is flat
+_FLOOR_COLOURS, _MIN_PIECE_SHARE = 5, 0.02  # a piece's share of the picture: a painted key's
+_SMOOTH_SHARE = 0.12  # a crowd has less that is flat
 _MIN_FLOOR_SHARE = 0.4  # of the picture: only what lines part is added
+_FURTHER_PIECES = 0.05  # of the largest piece's area: a painted key cuts a floor in two
 _BORDER_DILATION_PX = 7  # cells across of what pieces are widened by
 # Along a border of so many cells at least, lines run along such a share.
 _MIN_BORDER, _MIN_MARKED_BORDER = 15, 0.4
@@ -183,11 +198,12 @@ _PLACES_A_CELL = 4  # of paint, along a line
 def floor_regions(picture: PixelArray) -> list[Mask]:
     """Return what may be of a floor: large pieces of one colour each, (h, 320), of a picture (H, W,
     3)."""
-    found = colour_regions(mask_scale_image(picture), _FLOOR_COLOURS, _SMOOTH_SHARE)
+    small = mask_scale_image(picture)
+    found = colour_regions(small, _FLOOR_COLOURS, _SMOOTH_SHARE, _FURTHER_PIECES, _MIN_PIECE_SHARE)
     return [piece for piece in found if piece.mean() >= _MIN_PIECE_SHARE]
 
 
-def floor_mask(pieces: Sequence[Mask], paint: IntArray) -> Mask:
+def floor_mask(pieces: Sequence[Mask], paint: FloatArray | IntArray) -> Mask:
     """The floor, players on it included.
 
     It begins with the piece that is large and has much paint, for what is around a court may be
@@ -196,7 +212,7 @@ def floor_mask(pieces: Sequence[Mask], paint: IntArray) -> Mask:
 
     Args:
         pieces: one at least.
-        paint: (h, 320) how many places that look like paint each cell has.
+        paint: (h, 320) how many places that look like paint each cell has, at 1280 px.
 
     Returns:
         (h, 320) 1 where the floor is.
@@ -227,7 +243,7 @@ def _dilated(piece: Mask) -> Mask:
     )
 
 
-def _separated_by_line(one: Mask, other: Mask, paint: IntArray) -> bool:
+def _separated_by_line(one: Mask, other: Mask, paint: FloatArray | IntArray) -> bool:
     """Return whether paint runs along much of the border of two widened pieces."""
     border = (one & other) > 0
     length = border.sum() / _BORDER_DILATION_PX
@@ -253,6 +269,7 @@ _MASK_MARGIN_PX, _MASK_INNER_PX, _IMAGE_BORDER_PX = 12, 4, 4
 # A ridge is so many times as strong as usual about it
 _TEXTURE_WINDOW_PX, _MIN_TEXTURE_RATIO = 96, 12.0
 _WIDE_LINE_REDUCTION = 3  # lines three times as wide are found by the same filters
+_MIN_EDGE_STEP = 24.0  # of 255 each, all channels together: areas of a floor differ as much
 _FILTER_MARGIN_PX = 16  # farther from a place nothing changes what is found there
 
 
@@ -283,6 +300,7 @@ def detect_line_pixels(
     dark: bool = False,
     floor: bool = False,
     wide: bool = False,
+    edges: bool = False,
 ) -> LinePixels:
     """Find what looks like the paint of lines in a picture.
 
@@ -292,6 +310,7 @@ def detect_line_pixels(
         floor: whether the ground is the floor of a hall, of several colours and with a grain;
             otherwise it is of one.
         wide: whether some lines may be many px wide.
+        edges: whether the edge between a floor's areas of two colours may be a line.
     """
     height, width = picture.shape[:2]
     shrink = max(width / _WORKING_WIDTH_PX, 1.0)
@@ -313,9 +332,14 @@ def detect_line_pixels(
         more = _wide_ridges(grey, beside, signs)
         places = np.concatenate([places, more[0]], axis=1)
         along = np.concatenate([along, more[1]])
+    if floor and edges:
+        more = _linked_edges(small, pieces, beside)
+        places = np.concatenate([places, more[0]], axis=1)
+        along = np.concatenate([along, more[1]])
     ground = pieces[0]
     if floor:
-        ground = floor_mask(pieces, _count_per_cell(places, ground.shape, small.shape))
+        paint = _count_per_cell(places, ground.shape, small.shape)
+        ground = floor_mask(pieces, paint * (_WORKING_WIDTH_PX / small.shape[1]))
         column, row = np.rint(places).astype(np.intp)
         kept = _search_mask(ground, small.shape)[row, column]
         places, along = places[:, kept], along[kept]
@@ -352,6 +376,52 @@ def _wide_ridges(
     places, along = _linked_ridges(small, there, signs)
     scale = np.array([[grey.shape[1] / size[0]], [grey.shape[0] / size[1]]])
     return (places + 0.5) * scale - 0.5, along
+
+
+def _linked_edges(
+    picture: PixelArray, pieces: Sequence[Mask], where: BoolArray
+) -> tuple[FloatArray, FloatArray]:
+    """The same of edges between two pieces of a floor: as far from them as lines are from their
+    flanks, each side has one piece's colour."""
+    small = mask_scale_image(picture)
+    colour = cv2.GaussianBlur(picture.astype(np.float32), (0, 0), _RIDGE_SIGMAS_PX[0])
+    x, y = (cv2.Sobel(colour, cv2.CV_32F, *way, ksize=3, scale=1 / 8) for way in ((1, 0), (0, 1)))
+    ones = np.ones((1, 3), dtype=np.float32)
+    xx, yy, xy = (cv2.transform(cv2.multiply(*two), ones) for two in ((x, x), (y, y), (x, y)))
+    strength = cv2.sqrt(cv2.add(xx, yy))
+    # A blurred step is as steep in its middle.
+    steepest = _MIN_EDGE_STEP / (np.sqrt(2 * np.pi) * _RIDGE_SIGMAS_PX[0])
+    rows, columns = np.nonzero((strength > steepest) & where)
+    across = 0.5 * np.arctan2(2 * xy[rows, columns], (xx - yy)[rows, columns])
+    way = np.stack([np.cos(across), np.sin(across)])
+    step = np.rint(way).astype(np.intp)
+    here, after, before = (
+        strength[rows + side * step[1], columns + side * step[0]] for side in (0, 1, -1)
+    )
+    middle = (here >= after) & (here > before)
+    places, way = np.stack([columns, rows])[:, middle].astype(np.float64), way[:, middle]
+    usual = [_chromaticity(np.median(small[piece > 0], axis=0)) for piece in pieces]
+    sides = []
+    for sign in (1, -1):
+        near, far = (_at(colour, places + sign * away * way) for away in _FLANK_DISTANCES_PX)
+        sides.append((near, far, np.array([_is_alike(_chromaticity(near), one) for one in usual])))
+    (near, far, own), (other_near, other_far, other) = sides
+    apart = np.linalg.norm(near - other_near, axis=1)
+    uneven = [
+        np.linalg.norm(one - two, axis=1) for one, two in ((near, far), (other_near, other_far))
+    ]
+    kept = ((own & ~other).any(axis=0) & (other & ~own).any(axis=0)) & (apart > _MIN_EDGE_STEP)
+    kept &= np.maximum(*uneven) < _CONTRAST_SHARE * apart
+    places = places[:, kept]
+    along = np.mod(np.arctan2(way[1], way[0])[kept] + np.pi / 2, np.pi)
+    linked = _is_continued(places, along, picture.shape[:2])
+    return places[:, linked], along[linked]
+
+
+def _at(values: NDArray[Any], places: FloatArray) -> NDArray[Any]:
+    """Values of a picture at places (2, n), the nearest inside it."""
+    column, row = np.rint(places).astype(np.intp)
+    return np.asarray(values[row.clip(0, len(values) - 1), column.clip(0, values.shape[1] - 1)])
 
 
 def _no_line_pixels(size: tuple[int, int]) -> LinePixels:

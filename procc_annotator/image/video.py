@@ -101,12 +101,18 @@ class Video:
         return self.read_index().cut_off
 
     @property
+    def pixel_aspect(self) -> float:
+        """The width of its pixels over their height, as its metadata say; 1 for square ones."""
+        aspect = self._first.pixel_aspect
+        return 1.0 if abs(aspect - 1) < _SQUARE_PIXEL_TOLERANCE else aspect
+
+    @property
     def squeezed(self) -> str:
         """That its pixels are not square, if its metadata say so; empty if not."""
-        if abs(self._first.pixel_aspect - 1) < _SQUARE_PIXEL_TOLERANCE:
+        if self.pixel_aspect == 1:
             return ""
         return (
-            f"its pixels are {self._first.pixel_aspect:.3f} times as wide as high, cameras are for"
+            f"its pixels are {self.pixel_aspect:.3f} times as wide as high, cameras are for"
             " square ones (convert it, for example with"
             " ffmpeg -i old.mp4 -vf scale=iw*sar:ih,setsar=1 new.mp4)"
         )

@@ -25,7 +25,14 @@ from procc_annotator.messages import pluralize
 from procc_annotator.report.calibration import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.outputs import Interrupted
 from procc_annotator.report.tables.data_files import csv_bytes
-from procc_annotator.report.tables.metrics import COVERAGE, EXPLAINED, MARGIN, RESIDUAL, SECONDS
+from procc_annotator.report.tables.metrics import (
+    COVERAGE,
+    EXPLAINED,
+    MARGIN,
+    PROBABILITY,
+    RESIDUAL,
+    SECONDS,
+)
 from procc_annotator.report.tables.table import (
     Column,
     MetricTable,
@@ -42,6 +49,7 @@ _COLUMNS = (
     Column("frame"),
     Column("state"),
     Column("reason"),
+    metric_column(PROBABILITY),
     metric_column(COVERAGE),
     metric_column(EXPLAINED),
     metric_column(RESIDUAL),
@@ -165,7 +173,8 @@ def _row(one: Proposed) -> Row:
     if said is None:
         return (one.name, "unreadable", one.error, *[None] * (len(_COLUMNS) - 3))
     residual = None if said.residual_px is None else round(said.residual_px, 3)
-    agreement = (round(said.coverage, 4), round(said.explained, 4), residual)
+    shares = (said.probability, said.coverage, said.explained)
+    agreement = (*(round(share, 4) for share in shares), residual)
     return (
         one.name, said.state, said.reason, *agreement, round(said.margin, 4),
         *deviation_values(said.fit.deviations), round(one.seconds, 3), *said.fit.size,
@@ -176,7 +185,7 @@ def _row(one: Proposed) -> Row:
 def states_table(found: ProposedSet) -> MetricTable:
     """Return how many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
-    shown = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
+    shown = (PROBABILITY, COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
     rows = []
     for state in PROPOSAL_STATES:
         own = [one for one in found.frames if one.proposal and one.proposal.state == state]

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -17,6 +18,7 @@ from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from tests.cli.conftest import PANS, SIZE, Dataset, rows_in, write_dataset
+from tests.drawn_shots import draw, looking_at, stage_of
 
 NAMES = ["1", "2", "3", "10", "11"]
 POSITION = (0.0, 60.0, -14.0)
@@ -39,11 +41,29 @@ class Pretended:
     known: list[tuple[KnownPosition, ...]] = field(default_factory=list)
 
     def __call__(
-        self, picture: np.ndarray, field: Field, *, known: Iterable[KnownPosition]
+        self, picture: np.ndarray, field: Field, *, known: Iterable[KnownPosition], **_: object
     ) -> Proposal:
         assert picture.shape[2] == 4
         self.known.append(tuple(known))
         return self.said[len(self.known) - 1]
+
+
+def test_a_set_of_squeezed_pictures_has_cameras_with_wide_pixels(cli, tmp_path):
+    """Each picture alone suits square pixels nearly as well, with another camera."""
+    (tmp_path / "match").mkdir()
+    for number, x in enumerate((-36.0, -12.0, 20.0, 38.0)):
+        camera = looking_at((2.0, 66.0, -16.0), (x, -3.0, 0.0), 1500.0)
+        picture = draw(stage_of("soccer"), camera, seed=number + 1)
+        squeezed = cv2.resize(picture, (640, 640), interpolation=cv2.INTER_AREA)
+        cv2.imwrite(str(tmp_path / "match" / f"{number}.png"), squeezed[..., :3])
+    done = cli("propose", tmp_path / "match", tmp_path / "out", "--workers", "1")
+    assert "pixels are 1.778 times as wide as high" in done.stdout
+    rows = rows_in(tmp_path / "out" / "proposals.csv")
+    assert [row["state"] for row in rows] == ["sure"] * 4
+    for row in rows:
+        found = json.loads((tmp_path / "out" / row["camera"]).read_text())
+        assert found["y_focal_length"] / found["x_focal_length"] == pytest.approx(16 / 9, rel=1e-3)
+        assert found["position_meters"] == pytest.approx([2, 66, -16], abs=2)
 
 
 @pytest.fixture(scope="module")
@@ -237,7 +257,7 @@ def test_what_makes_no_sense(cli, dataset, tmp_path):
 def test_an_interrupted_run_says_what_is_there_and_goes_on(cli, bare, monkeypatch, fits, tmp_path):
     calls = []
 
-    def stopped(picture, field, *, known):
+    def stopped(picture, field, *, known, **_):
         calls.append(picture)
         if len(calls) == 3:
             raise KeyboardInterrupt

@@ -392,6 +392,12 @@ class TestCopying:
         services.editing.save_now()
         assert not (pitch / "1.json").exists()
 
+    def test_elements_that_are_not_copied_are_named(self, on_pitch, clicks, qtbot):
+        said = heard(on_pitch.services)
+        clicks.draw("Side line left", (20, 150), (30, 500))  # soon out of the picture
+        self.copy(on_pitch, clicks, qtbot)
+        assert said[-1].endswith("not in the picture or no line seen: Left goal line")
+
     def test_shift_v_confirms_all_and_they_are_saved_as_copied(
         self, on_pitch, clicks, qtbot, pitch
     ):

@@ -6,12 +6,16 @@ from pathlib import Path
 from threading import Event
 from typing import Any
 
+import cv2
 import pytest
 from PySide6.QtCore import Qt
 
+from procc_annotator.batch.camera_proposals import ASPECT_SETTING, stored_pixel_aspect
 from procc_annotator.calibration.result import FitResult, external_camera_fit
+from procc_annotator.calibration.single_image.pixel_aspect import PixelAspect
 from procc_annotator.calibration.single_image.proposal import Proposal, ProposalState
 from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
@@ -32,11 +36,20 @@ class Finder:
         self.state: ProposalState = "sure"
         self.reason = "94 % of the lines in sight are on paint"
         self.asked = 0
+        self.pixels: PixelAspect | None = None
         self.wait: Event | None = None
         self.frame = "00002"
 
-    def __call__(self, picture: PixelArray, field: Field, *, go_on: Callable[[], None]) -> Proposal:
+    def __call__(
+        self,
+        picture: PixelArray,
+        field: Field,
+        *,
+        pixels: PixelAspect | None,
+        go_on: Callable[[], None],
+    ) -> Proposal:
         self.asked += 1
+        self.pixels = pixels
         while self.wait is not None and not self.wait.wait(0.01):
             go_on()
         size = picture.shape[1], picture.shape[0]
@@ -82,6 +95,25 @@ def entries(folder: Path) -> dict[str, Any]:
     until_kept()
     path = folder / "00002.json"
     return dict(json.loads(path.read_text())) if path.exists() else {}
+
+
+def test_a_dataset_keeps_how_wide_its_pixels_are(make_window, bare, finder, qtbot, monkeypatch):
+    """Several of its pictures tell, once."""
+    for path in bare.glob("*.jpg"):
+        cv2.imwrite(str(path), cv2.resize(cv2.imread(str(path)), (400, 400)))
+    squeezed, calls = PixelAspect(16 / 9, 0.999), []
+
+    def estimate(frames: tuple[Frame, ...], *_: object) -> PixelAspect:
+        calls.append(len(frames))
+        return squeezed
+
+    monkeypatch.setattr(camera_choice, "set_pixel_aspect", estimate)
+    window = make_window(bare)
+    window.services.navigator.go_to(1)
+    all_done(qtbot)
+    assert finder.pixels == squeezed
+    assert calls == [len(window.services.state.workspace.frames)]
+    assert stored_pixel_aspect(window.services.review.setting(ASPECT_SETTING)) == squeezed
 
 
 class TestAFrameWithoutAnnotation:

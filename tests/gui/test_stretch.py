@@ -25,9 +25,10 @@ SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModi
 LINE = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.2), Point(0.8, 0.3))),))
 
 
-def followed(number: int) -> TrackedFrame:
+def followed(number: int, coverage: float = 0.9) -> TrackedFrame:
     camera = soccer_shot(1, size=SIZE).cameras[0]
-    return TrackedFrame(number, "followed", "", external_camera_fit(camera, SIZE), 0.9, 0.3, 1)
+    fit = external_camera_fit(camera, SIZE)
+    return TrackedFrame(number, "followed", "", fit, coverage, 0.3, 1)
 
 
 @pytest.fixture
@@ -56,7 +57,11 @@ def press(window: MainWindow, key: Qt.Key, modifiers: Any = Qt.KeyboardModifier.
 
 def look_finds(monkeypatch: pytest.MonkeyPatch, *indices: int) -> None:
     """Paint is seen in these frames."""
-    monkeypatch.setattr(shot_accepting, "_look", lambda *_: dict.fromkeys(indices, LINE))
+
+    def look(_: Any, chosen: Any, __: Any) -> dict[int, FrameAnnotation]:
+        return {index: LINE for index in indices if index in chosen}
+
+    monkeypatch.setattr(shot_accepting, "_look", look)
 
 
 def accept(window: MainWindow, qtbot: QtBot) -> None:
@@ -93,6 +98,45 @@ def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypat
     window.services.navigator.go_to(2)
 
     assert not window.shot_following.running
+
+
+def test_doubtful_frames_are_accepted_by_pressing_once_more(window, shot, qtbot, monkeypatch):
+    window.services.shot_track.replace(
+        {n: followed(n, 0.9 if n == 1 else 0.4) for n in range(3)}, ()
+    )
+    look_finds(monkeypatch, 0, 1, 2)
+    said = heard(window.services)
+
+    accept(window, qtbot)
+    assert files(shot) == ["01"]
+    assert "2 doubtful frames left: Ctrl+Shift+Enter once more" in said[-1]
+
+    accept(window, qtbot)
+    assert files(shot) == ["00", "01", "02"]
+    assert said[-1].startswith("accepted 2 frames")
+
+    accept(window, qtbot)
+    assert said[-1] == "no frame to accept: all that were followed are annotated"
+
+
+def test_all_frames_doubtful_the_reason_is_said_before_any_is_accepted(
+    window, shot, qtbot, monkeypatch
+):
+    window.services.shot_track.replace({n: followed(n, 0.4) for n in range(3)}, ())
+    look_finds(monkeypatch, 0, 1, 2)
+    said = heard(window.services)
+
+    accept(window, qtbot)
+    assert files(shot) == []
+    assert said[-1].startswith("all 3 frames are doubtful (only 40% of the lines in sight are")
+
+    window.services.shot_track.replace(
+        {0: followed(0, 0.4)}, ()
+    )  # others than those that were named
+    accept(window, qtbot)
+    assert files(shot) == []
+    accept(window, qtbot)
+    assert files(shot) == ["00"]
 
 
 def test_a_committed_frame_opens_no_other_in_blind_mode(window, shot, qtbot, hand_on, monkeypatch):

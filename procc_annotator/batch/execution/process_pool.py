@@ -267,6 +267,9 @@ def _interrupts_blocked() -> Iterator[None]:
 
 
 def _begin_worker() -> None:
+    # Processes share the processors: OpenCV's threads would wait for each other. It reads this when
+    # it first divides work.
+    os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 

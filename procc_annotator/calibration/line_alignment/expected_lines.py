@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.observations import ImageFrame
@@ -20,7 +21,7 @@ from procc_annotator.field.geometry import (
     points_at_angles,
 )
 from procc_annotator.field.markings import marking_normal
-from procc_annotator.field.model import BAR, DARKER, LIGHTER, LINE, Element, Field
+from procc_annotator.field.model import ANY, BAR, DARKER, LIGHTER, LINE, Element, Field
 
 # Between two places, of half the field's length; curves turn by this much at most.
 _SPACING_SHARE = 0.004
@@ -43,6 +44,8 @@ class MarkingPoints:
         width_m: (N,) of the band, or diameter of the bar; 0 if unknown.
         tone: (N,) 1 for paint lighter than what is next to it, -1 for darker, 0 where either may
             be.
+        required: (E,) whether paint that is not found is missing. Not that of optional elements,
+            nor of bars of any tone: what stands before a crowd is often not seen.
     """
 
     names: tuple[str, ...]
@@ -53,6 +56,7 @@ class MarkingPoints:
     run: IntArray
     width_m: FloatArray
     tone: IntArray
+    required: NDArray[np.bool_]
 
 
 def marking_points(field: Field) -> MarkingPoints:
@@ -82,7 +86,8 @@ def _marking_points(elements: tuple[Element, ...]) -> MarkingPoints:
     if not sought:
         nothing = np.zeros((3, 0))
         rows = np.zeros(0, dtype=np.intp)
-        return MarkingPoints((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows)
+        no_one = np.zeros(0, dtype=bool)
+        return MarkingPoints((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows, no_one)
     element_of = np.repeat(owners, counts)
     return MarkingPoints(
         tuple(e.name for e in sought),
@@ -95,7 +100,13 @@ def _marking_points(elements: tuple[Element, ...]) -> MarkingPoints:
         np.array([_TONE_SIGNS.get(e.appearance.tone, 0) for e in sought], dtype=np.intp)[
             element_of
         ],
+        np.array([_is_required(e) for e in sought], dtype=bool),
     )
+
+
+def _is_required(element: Element) -> bool:
+    looks = element.appearance
+    return not element.optional and (looks.kind != BAR or looks.tone != ANY)
 
 
 def _marking_parts(element: Element) -> list[Part]:

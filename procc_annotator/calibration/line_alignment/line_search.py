@@ -110,11 +110,30 @@ class LineOffsets:
         px: (n,) solver px, how far along the normal the paint's middle lies.
         found: (n,) whether there is any, and no doubt which.
         contrast: (n,) grey levels of the band against the nearer of its flanks.
+        around: (3, n, 3) BGR to both sides of the expected places, and where paint was found.
     """
 
     px: FloatArray
     found: NDArray[np.bool_]
     contrast: FloatArray
+    around: Values
+
+    def is_hidden(self, counted: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Return (n,) where something else than the ground is in sight: to one side at least it
+        has no colour that is usual on and next to the paint of the places that count."""
+        cells = (self.around / _COLOUR_STEP).astype(np.intp) + 1
+        shape = (int(256 / _COLOUR_STEP) + 2,) * 3
+        flat = np.ravel_multi_index(tuple(np.moveaxis(cells, -1, 0)), shape)
+        usual = np.bincount(flat[:, counted].ravel(), minlength=int(np.prod(shape)))
+        usual = usual.reshape(shape)
+        for axis in range(3):  # with the colours next to it
+            usual = usual + np.roll(usual, 1, axis) + np.roll(usual, -1, axis)
+        least = _MIN_COLOUR_SHARE * cells.shape[0] * int(counted.sum())
+        return np.asarray(usual.ravel()[flat[:2]].min(axis=0) < max(least, 1.0))
+
+
+# Colours alike differ by less than so much in each channel; usual is what one place in 50 has.
+_COLOUR_STEP, _MIN_COLOUR_SHARE = 16.0, 0.02
 
 
 def line_offsets(
@@ -157,7 +176,9 @@ def nearest_line_offsets(
     return cut.offsets(*(np.where(is_near, *both) for both in zip(near, far, strict=True))), is_near
 
 
-_NO_OFFSETS = LineOffsets(np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0))
+_NO_OFFSETS = LineOffsets(
+    np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0), np.zeros((3, 0, 3), dtype=np.float32)
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,6 +193,7 @@ class _LineProfiles:
         cuts: (n, 2 (half + beyond) + 1, 3) BGR.
         values: the same in one tone, in which paint is lighter than what is next to it.
         response: (n, 2 half + 1) how much a band there stands out.
+        parts_areas: (n,) whether an element is taken for an edge between two areas.
     """
 
     expected: ExpectedLinePoints
@@ -181,6 +203,7 @@ class _LineProfiles:
     cuts: PixelArray
     values: Values
     response: Values
+    parts_areas: NDArray[np.bool_]
 
     @classmethod
     def of(
@@ -196,9 +219,9 @@ class _LineProfiles:
         half = int(np.ceil((reach_px / frame.scale / step).max()))
         cuts = _sample_profiles(picture, expected, frame, step, half + _PROFILE_MARGIN_STEPS)
         tone = painted.tone[expected.rows]
-        values = _profile_values(cuts, tone, painted.element[expected.rows])
+        values, parts_areas = _profile_values(cuts, tone, painted.element[expected.rows])
         response = _neighbour_mean(_band_response(values), expected.run)
-        return cls(expected, frame.scale, step, half, cuts, values, response)
+        return cls(expected, frame.scale, step, half, cuts, values, response, parts_areas)
 
     def best(
         self, reach_px: float | FloatArray
@@ -215,14 +238,21 @@ class _LineProfiles:
         px = (at - self.half) * self.step
         narrow = np.flatnonzero(found & (self.step == _MIN_STEP_PX))
         column = _PROFILE_MARGIN_STEPS + np.rint(at[narrow]).astype(np.intp)
-        unlike = _is_between_surfaces(self.values, narrow, column, contrast[narrow])
+        unlike = self.parts_areas[narrow] | _is_between_surfaces(
+            self.values, narrow, column, contrast[narrow]
+        )
         if unlike.any():
             narrow, column = narrow[unlike], column[unlike]
-            around = column[:, None] + np.arange(-PROFILE_HALF_SAMPLES, PROFILE_HALF_SAMPLES + 1)
-            cut = _neighbour_mean_colours(self.cuts, narrow, around, self.expected)
+            columns = column[:, None] + np.arange(-PROFILE_HALF_SAMPLES, PROFILE_HALF_SAMPLES + 1)
+            cut = _neighbour_mean_colours(self.cuts, narrow, columns, self.expected)
             shift = line_centres(cut, self.expected.width_px[narrow] / self.scale)
             px[narrow] = (column - _PROFILE_MARGIN_STEPS - self.half) * _MIN_STEP_PX + shift
-        return LineOffsets(px * self.scale, found, contrast)
+        middle, rows = self.cuts.shape[1] // 2, np.arange(len(at))
+        away = np.arange(_PROFILE_MARGIN_STEPS - _FLANK_LENGTH_STEPS + 1, _PROFILE_MARGIN_STEPS + 1)
+        around = np.empty((3, len(at), 3), dtype=np.float32)
+        around[0], around[1] = (self.cuts[:, middle + side * away].mean(axis=1) for side in (1, -1))
+        around[2] = self.cuts[rows, _PROFILE_MARGIN_STEPS + np.rint(at).astype(np.intp)]
+        return LineOffsets(px * self.scale, found, contrast, around)
 
 
 def _sample_profiles(
@@ -244,21 +274,35 @@ def _sample_profiles(
     return np.asarray(cut[..., :3], dtype=np.uint8)
 
 
-def _profile_values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
-    """(n, m) of cuts, in which paint is lighter than what is next to it."""
+def _profile_values(
+    cuts: PixelArray, tone: IntArray, element: IntArray
+) -> tuple[Values, NDArray[np.bool_]]:
+    """(n, m) of cuts, in which paint is lighter than what is next to it; (n,) whether that is an
+    edge between two areas."""
     # White paint is light in all colours, coloured paint dark in one of them.
     lowest = np.minimum(np.minimum(cuts[..., 0], cuts[..., 1]), cuts[..., 2])
     values = lowest.astype(np.float32)
     values *= np.where(tone < 0, -1, 1).astype(np.float32)[:, None]
-    unknown = np.flatnonzero(tone == 0)
+    unknown, parts_areas = np.flatnonzero(tone == 0), np.zeros(len(cuts), dtype=bool)
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
-        # An element is painted in one colour: all of its places decide which.
-        strength = [np.maximum(_band_response(own), 0).max(axis=1) for own in (grey, -grey)]
+        looks = np.stack([grey, -grey, _steps(cuts[unknown])])
+        # An element is painted in one colour, or parts two areas: all of its places decide.
+        strength = [np.maximum(_band_response(own), 0).max(axis=1) for own in looks]
         own = element[unknown]
         votes = np.stack([np.bincount(own, s) for s in strength])
-        values[unknown] = np.where((votes[0] >= votes[1])[own][:, None], grey, -grey)
-    return values
+        chosen = votes.argmax(axis=0)[own]
+        values[unknown] = looks[chosen, np.arange(len(own))]
+        parts_areas[unknown] = chosen == len(looks) - 1
+    return values, parts_areas
+
+
+def _steps(cuts: PixelArray) -> Values:
+    """(n, m) how much the colours to both sides differ, half a band's width away: an edge between
+    two areas is a band in it, and a line is two, next to each other."""
+    away = _WIDTH_STEPS // 2
+    wide = np.pad(cuts.astype(np.float32), ((0, 0), (away, away), (0, 0)), mode="edge")
+    return np.asarray(np.sqrt(((wide[:, 2 * away :] - wide[:, : -2 * away]) ** 2).mean(axis=2)))
 
 
 def _band_response(values: Values) -> Values:

@@ -94,7 +94,8 @@ def measure_at(
 def found_shares(
     seen: LineMeasurement, weights: FloatArray, painted: MarkingPoints
 ) -> tuple[float, Mapping[str, float]]:
-    """The share of what should be in sight that was found where the camera has it, by length.
+    """The share of what should be in sight that was found where the camera has it, by length; what
+    is hidden, or not required, counts as far as it is found.
 
     Args:
         seen: what was found.
@@ -102,19 +103,29 @@ def found_shares(
         painted: the field's paint.
 
     Returns:
-        Of everything, 0 to 1; and of each element in sight.
+        Of everything, 0 to 1; and of each element in the picture, hidden or not.
     """
     own = painted.element[seen.expected.rows]
     length = seen.expected.length_px
-    found = np.zeros(len(length))
-    found[seen.offsets.found] = weights > MIN_WEIGHT
+    found, hidden = _found_and_hidden(seen, weights, painted)
     total = np.bincount(own, length, minlength=len(painted.names))
     part = np.bincount(own, length * found, minlength=len(painted.names))
-    whole = float(total.sum())
+    whole = float(length[found | (painted.required[own] & ~hidden)].sum())
     shares = {
         name: float(part[i] / total[i]) for i, name in enumerate(painted.names) if total[i] > 0
     }
     return (float(part.sum()) / whole if whole else 0.0), shares
+
+
+def _found_and_hidden(
+    seen: LineMeasurement, weights: FloatArray, painted: MarkingPoints
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return which of the expected places were found where a camera has them, and which of the
+    others people, boards, banners or a crowd hide."""
+    found = seen.offsets.found.copy()
+    found[found] = weights > MIN_WEIGHT
+    required = painted.required[painted.element[seen.expected.rows]]
+    return found, ~found & seen.offsets.is_hidden(found & required)
 
 
 # All in solver px.
@@ -185,13 +196,19 @@ def search_nearby(
         None where none of length has to be looked for.
     """
     _, shares = found_shares(seen, weights, painted)
+    # Paint next to what is not required may be that of something else.
     poor = np.array([shares.get(name, 1.0) < _MAX_FOUND_SHARE for name in painted.names])
+    poor &= painted.required
     if not poor.any():
         return None
+    _, hidden = _found_and_hidden(seen, weights, painted)
+    own, px = painted.element[seen.expected.rows], seen.expected.length_px
+    length, open_ = (np.bincount(own, some, minlength=len(poor)) for some in (px, px * ~hidden))
+    # Of what is mostly hidden, the rest is hardly to be told from what hides it.
+    poor &= (open_ >= _MIN_DISPLACED_LENGTH_PX) & (2 * open_ > length)
     expected = expected_line_points(vector, painted, frame, POINT_SPACING_PX)
-    own = painted.element[expected.rows]
-    length = np.bincount(own, expected.length_px, minlength=len(painted.names))
-    sought = (poor & (length >= _MIN_DISPLACED_LENGTH_PX))[own]
+    sought = poor[painted.element[expected.rows]]
+    sought &= ~np.isin(expected.rows, seen.expected.rows[hidden])
     if not sought.any():
         return None
     expected = expected.chosen(np.flatnonzero(sought))
@@ -269,7 +286,7 @@ def elements_missed(
     shown = np.bincount(own, expected.length_px[rows], minlength=count)
     on = np.abs(edge_point_residuals(vector, marks, frame)) < _DISPLACED_PX
     found = np.bincount(marks.element[on], length_px[on], minlength=count)
-    return np.flatnonzero((shown >= _LONG_PX) & (found < _MISSED * shown))
+    return np.flatnonzero(painted.required & (shown >= _LONG_PX) & (found < _MISSED * shown))
 
 
 def _one_sided_offset(off: FloatArray, length: FloatArray) -> float | None:
@@ -294,7 +311,8 @@ def edge_point_residuals(vector: FloatArray, marks: EdgePoints, frame: ImageFram
 def displaced_elements_text(
     beside: dict[int, float], painted: MarkingPoints, frame: ImageFrame
 ) -> str:
-    """That elements lie next to their paint, the farthest first; "" of none."""
+    """That required elements lie next to their paint, the farthest first; "" of none."""
+    beside = {own: px for own, px in beside.items() if painted.required[own]}
     if not beside:
         return ""
     number = max(beside, key=lambda own: beside[own])

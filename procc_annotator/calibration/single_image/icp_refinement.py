@@ -39,7 +39,7 @@ DIRECTION_COUNT = 12
 SAME_DIRECTION_RAD = np.radians(20.0)  # directions that may be those of one line
 _NO_LINE_DISTANCE_PX = 1e3
 _MAP_CELL_PX = 2
-_MAX_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
+_MAX_FLOOR_M = 31.0  # half a length; an NHL rink is 61 m long. What is larger is grass
 _WIDE_LINE_M = 0.25  # of lines such as the blue ones of ice hockey
 
 
@@ -94,7 +94,9 @@ def line_pixels_for_field(picture: PixelArray, field: Field) -> ImageLinePixels:
     wide = any(line.width_m >= _WIDE_LINE_M for line in lines)
     light, dark = bool(tones & {LIGHTER, ANY}), bool(tones & {DARKER, ANY})
     floor = camera_placement_prior(field).half_length <= _MAX_FLOOR_M
-    found = detect_line_pixels(picture, light=light, dark=dark, floor=floor, wide=wide)
+    found = detect_line_pixels(
+        picture, light=light, dark=dark, floor=floor, wide=wide, edges=ANY in tones
+    )
     frame = ImageFrame(found.size)
     points = (found.points - np.array(frame.centre_px)[:, None]) * frame.scale
     return ImageLinePixels(
@@ -227,6 +229,7 @@ def _dilate_cells(lines: BitArray) -> BitArray:
 
 
 _MIN_DEPTH_M, _VIEW_MARGIN_PX = 1.0, 2.0
+_FIELD_MARGIN_M = 1.0  # about the field: lines have a width, and touchlines are not where files say
 _BEAM_RADIUS_PX = 20.0  # along the line, from paint to the place that is nearest to it
 
 
@@ -238,7 +241,7 @@ class Correspondences:
         off: (B, K) solver px across the line, from where the camera shows it to the paint.
         by: (B, free, K) how the place moves across with the camera's parameters.
         known: (B, K) whether there is a pull at all.
-        in_view: (B, K) whether the place is in the picture.
+        in_view: (B, K) whether the place of a line is in the picture, or the paint on the field.
         away: (B, K) solver px to the paint in any direction.
     """
 
@@ -287,7 +290,8 @@ def match_pixels_to_lines(
     lens = Lens.of(vectors, paint.frame.half_diagonal)
     points, direction = paint.points[:, some], paint.along[some]
     shown = lens.undistorted(points)
-    place = _nearest_line_point(lens, shown, lines)
+    ground = _ground_points(lens, shown)
+    place = lines.nearest.at(ground)
     if len(lines.beams):
         place = _prefer_nearer_beam(lens, shown, direction, place, lines)
     world, along = (
@@ -302,17 +306,17 @@ def match_pixels_to_lines(
         like = np.abs(normal[:, 1] * np.cos(direction) - normal[:, 0] * np.sin(direction))
         known = (place >= 0) & (like > np.cos(SAME_DIRECTION_RAD)) & (beside < _BEAM_RADIUS_PX)
         by = np.einsum("bkn,bpkn->bpn", normal, derivatives)
-    return Correspondences(off, by, known, np.ones_like(known), np.abs(off))
+        half = np.array([[lines.around.half_length], [lines.around.half_width]])
+        on_field = np.asarray((np.abs(ground) <= half + _FIELD_MARGIN_M).all(axis=1))
+    return Correspondences(off, by, known, on_field, np.abs(off))
 
 
-def _nearest_line_point(lens: Lens, points: FloatArray, lines: FieldLinePoints) -> IntArray:
-    """(B, n) the place on a line nearest to where cameras see points (B, 2, n), free of distortion,
-    on the ground."""
+def _ground_points(lens: Lens, points: FloatArray) -> FloatArray:
+    """(B, 2, n) metres, where cameras see points (B, 2, n), free of distortion, on the ground; NaN
+    above the horizon."""
     on_ground = np.linalg.inv(lens.linear[:, :, [0, 1, 3]])
     rays = on_ground[:, :, :2] @ points + on_ground[:, :, 2:]
-    below = rays[:, 2] > 1e-9
-    place = lines.nearest.at(rays[:, :2] / np.where(below, rays[:, 2], 1.0)[:, None])
-    return np.asarray(np.where(below, place, -1))
+    return np.asarray(rays[:, :2] / np.where(rays[:, 2] > 1e-9, rays[:, 2], np.nan)[:, None])
 
 
 def _prefer_nearer_beam(
@@ -461,10 +465,12 @@ class ChamferAgreement:
     Attributes:
         coverage: (B,) share of the lines in sight that lie on paint.
         explained: (B,) share of the paint on the ground that lies on lines.
+        on_field: (B,) share of it that lies on lines or elsewhere on the field.
     """
 
     coverage: FloatArray
     explained: FloatArray
+    on_field: FloatArray
 
     @property
     def both(self) -> FloatArray:
@@ -489,5 +495,6 @@ def chamfer_agreement(
     coverage = on_paint.sum(axis=1) / np.maximum(pulls.in_view.sum(axis=1), 1)
     some = scene.paint.some(paint)
     pulls = match_pixels_to_lines(vectors, some, scene.lines, scene.paint, 0)
-    explained = (pulls.known & (np.abs(pulls.off) < within_px)).mean(axis=1)
-    return ChamferAgreement(coverage, explained)
+    on_line = pulls.known & (np.abs(pulls.off) < within_px)
+    on_field = (on_line | pulls.in_view).mean(axis=1)
+    return ChamferAgreement(coverage, on_line.mean(axis=1), on_field)

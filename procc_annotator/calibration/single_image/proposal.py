@@ -40,11 +40,12 @@ class Proposal:
         fit: the camera, px of the picture, with vector, covariance and deviations as any fit; its
             camera is None and its failure reported if absent.
         coverage: share of the visible model that was found on paint, 0-1.
-        explained: share of the paint on the ground that the model explains, 0-1.
+        explained: share of the paint on the field that the model explains, 0-1.
         residual_px: median distance of the found paint to the model, px of the picture; None
             without a camera.
         margin: how much better it is than the best camera that shows something else, 0-1.
         runner_up: that other camera, px of the picture; None where none was found.
+        probability: that the camera is right, 0-1; see `single_image.probability`.
     """
 
     state: ProposalState
@@ -55,6 +56,7 @@ class Proposal:
     residual_px: float | None
     margin: float
     runner_up: PinholeCamera | None
+    probability: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,11 +67,13 @@ class KnownPosition:
         position_m: (3,) metres, world frame.
         covariance: (3, 3) m^2.
         usual: what else is known of the camera there; None for nothing.
+        camera: (11,) parameters of a camera there that is one more hypothesis; None for none.
     """
 
     position_m: FloatArray
     covariance: FloatArray
     usual: LensAndRollPrior | None = None
+    camera: FloatArray | None = None
 
 
 # What is known of the position of a camera that no other one agrees with, metres.

@@ -24,13 +24,13 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 from procc_annotator.calibration.optimization.camera_placement import CameraPlacementPrior
 from procc_annotator.calibration.optimization.initialization import SIDES
 from procc_annotator.calibration.optimization.observations import REFERENCE_WIDTH
+from procc_annotator.calibration.single_image.array_cache import Arrays, cached_arrays
 from procc_annotator.calibration.single_image.field_points import (
     FieldLinePoints,
     view_distance_px,
     visible_line_points,
 )
 from procc_annotator.calibration.single_image.icp_refinement import (
-    ChamferAgreement,
     CoarseLineGrid,
     ImageLinePixels,
     LineDistanceMaps,
@@ -57,6 +57,9 @@ _MATCH_DISTANCE_PX, _MISMATCH_DISTANCE_PX, _MISMATCH_WEIGHT = 12.0, 45.0, 0.5
 _BORDER_CELLS = 5
 _BATCH_CAMERAS = 8000
 _PRESELECTED = 12000  # so many of the best are looked at from the paint, too
+# Of cameras from a file, which are computed anew; the share of their cells that has to be the same:
+# rounding may differ with the number of cameras computed at once.
+_CHECKED_EVERY, _SAME_CELLS = 997, 0.999
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +118,38 @@ def hypotheses_on_side(lines: FieldLinePoints, half_height: float, side: int) ->
         half_height: of the picture, solver px.
         side: index in `SIDES`; not above.
     """
-    return _hypotheses_from(_positions_on_side(lines.around, side), lines, half_height)
+    places, field = _positions_on_side(lines.around, side), lines.coarsest
+    sizes = lines.around.half_length, lines.around.half_width
+    columns = [PAN, TILT, *range(POSITION_SLICE.start, POSITION_SLICE.stop), LOG_FOCAL]
+
+    def compute() -> Arrays:
+        found = _hypotheses_from(places, lines, half_height)
+        return found.vectors[:, columns], found.cells, found.length_px
+
+    def is_valid(kept: Arrays) -> bool:
+        """Check some cameras: what computes them may have changed within a version."""
+        some = _hypotheses_at(_full_vectors(kept[0][::_CHECKED_EVERY]), lines, half_height)
+        return len(some.cells) == len(kept[1][::_CHECKED_EVERY]) and bool(
+            (some.cells == kept[1][::_CHECKED_EVERY]).mean() > _SAME_CELLS
+        )
+
+    def _full_vectors(few: FloatArray) -> FloatArray:
+        vectors = np.zeros((len(few), len(PARAMETERS)))
+        vectors[:, columns] = few
+        return vectors
+
+    key = (
+        places,
+        sizes,
+        _VIEW_WIDTHS,
+        _GRID_STEP_PX,
+        half_height,
+        field.world,
+        field.along,
+        field.step,
+    )
+    few, cells, length = cached_arrays("cameras", key, compute, is_valid)
+    return CameraHypotheses(_full_vectors(few), cells, length)
 
 
 @lru_cache(maxsize=16)
@@ -130,20 +164,27 @@ def _hypotheses_from(
     places: FloatArray, lines: FieldLinePoints, half_height: float
 ) -> CameraHypotheses:
     # One place after the other: all at once would take ten times the memory.
-    found = [_hypotheses_from_position(place, lines, half_height) for place in places]
-    return CameraHypotheses(*(np.concatenate(one) for one in zip(*found, strict=True)))
+    found = [
+        _hypotheses_at(_cameras_at_position(place, lines.around, half_height), lines, half_height)
+        for place in places
+    ]
+    return CameraHypotheses(
+        np.concatenate([one.vectors for one in found]),
+        np.concatenate([one.cells for one in found]),
+        np.concatenate([one.length_px for one in found]),
+    )
 
 
-def _hypotheses_from_position(
-    place: FloatArray, lines: FieldLinePoints, half_height: float
-) -> tuple[FloatArray, NDArray[np.int32], FloatArray]:
-    vectors = _cameras_at_position(place, lines.around, half_height)
+def _hypotheses_at(
+    vectors: FloatArray, lines: FieldLinePoints, half_height: float
+) -> CameraHypotheses:
+    """The cameras (B, 11) that have enough lines in sight."""
     shown = visible_line_points(vectors, lines.coarsest, half_height, _POINTS_PER_CAMERA)
     kept = shown.length_px > _MIN_VISIBLE_LENGTH_PX
     column, row = map_cells(shown.points[kept], half_height, DISTANCE_CELL_PX)
     height, width = map_shape(half_height, DISTANCE_CELL_PX)
     cells = (direction_indices(shown.angles[kept]) * height + row) * width + column
-    return vectors[kept], cells.astype(np.int32), shown.length_px[kept]
+    return CameraHypotheses(vectors[kept], cells.astype(np.int32), shown.length_px[kept])
 
 
 def _positions_on_side(around: CameraPlacementPrior, side: int) -> FloatArray:
@@ -253,17 +294,16 @@ class RankedCameras:
     Attributes:
         vectors: (B, 11).
         scores: (B,) agreement less what their unlikeliness costs.
-        agreement: of each.
+        ends: (E, 11) where all starts of the last stage ended, these cameras among them.
     """
 
     vectors: FloatArray
     scores: FloatArray
-    agreement: ChamferAgreement
+    ends: FloatArray
 
     def chosen(self, rows: IntArray) -> RankedCameras:
         """Some of them."""
-        both = ChamferAgreement(self.agreement.coverage[rows], self.agreement.explained[rows])
-        return RankedCameras(self.vectors[rows], self.scores[rows], both)
+        return RankedCameras(self.vectors[rows], self.scores[rows], self.ends)
 
 
 def search_cameras(
@@ -317,7 +357,26 @@ def rank_cameras(
     found = chamfer_agreement(
         scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
     )
-    return RankedCameras(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
+    scores = found.both - stage.unlikely * scene.unlikeliness(vectors)
+    return RankedCameras(vectors, scores, vectors)
+
+
+def with_hypothesis(scene: SearchScene, found: RankedCameras, vector: FloatArray) -> RankedCameras:
+    """The cameras that were found and one (11,) more, led to the paint like them."""
+    vectors = vector[None]
+    for stage in SEARCH_STAGES_KNOWN:
+        vectors = refine_by_icp(
+            scene,
+            vectors,
+            stage.scales_px,
+            places=stage.places,
+            paint=stage.paint,
+            model=stage.model,
+        )
+    more = rank_cameras(scene, vectors)
+    scores = np.concatenate([found.scores, more.scores])
+    every = RankedCameras(np.concatenate([found.vectors, vectors]), scores, found.ends)
+    return every.chosen(np.argsort(-scores, kind="stable"))
 
 
 def _distinct_cameras(

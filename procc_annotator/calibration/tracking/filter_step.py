@@ -44,6 +44,7 @@ from procc_annotator.calibration.line_alignment.refinement import (
 from procc_annotator.calibration.optimization.camera_parameters import (
     KAPPA,
     LOG_FOCAL,
+    POSITION_SLICE,
     ROLL,
     X,
     Z,
@@ -210,21 +211,19 @@ class FilterStep:
         `displaced_elements`."""
         if self.marks is None:
             return {}
-        return displaced_elements(
-            vector, self.marks, self._length_px(self.marks), self.around, frame
-        )
+        return displaced_elements(vector, self.marks, self.mark_lengths_px, self.around, frame)
 
     def missed(self, painted: MarkingPoints, frame: ImageFrame) -> IntArray:
         """Elements that its camera misses in this frame, see `elements_missed`."""
         if self.marks is None:
             return np.zeros(0, dtype=np.intp)
-        length = self._length_px(self.marks)
-        return elements_missed(self.belief.vector, self.marks, length, painted, frame)
+        return elements_missed(self.belief.vector, self.marks, self.mark_lengths_px, painted, frame)
 
-    def _length_px(self, marks: EdgePoints) -> FloatArray:
-        return np.full(
-            len(marks), self.represented_weight * _FIRST_PASS_SUBSAMPLING * POINT_SPACING_PX
-        )
+    @property
+    def mark_lengths_px(self) -> FloatArray:
+        """(n,) solver px of the element that each mark stands for."""
+        count = 0 if self.marks is None else len(self.marks)
+        return np.full(count, self.represented_weight * _FIRST_PASS_SUBSAMPLING * POINT_SPACING_PX)
 
 
 def predict_state(
@@ -323,6 +322,61 @@ def filter_step(
     around = search_nearby(picture, solved.vector, painted, frame, seen, weights)
     none = replace(none, residual_px=residual, around=around)
     return _updated_step(none, solved, marks, painted.world[:, seen.expected.rows], frame)
+
+
+_FAR_CONTRAST = 0.4  # of the usual contrast, as for displaced elements
+_FREE_AGAIN = 1000.0  # times the smoothed covariance, within which a frame's own paint may move it
+
+
+def remeasured_step(
+    picture: PixelArray,
+    step: FilterStep,
+    painted: MarkingPoints,
+    frame: ImageFrame,
+    reach_px: float = _MIN_SEARCH_RADIUS_PX,
+) -> FilterStep:
+    """A frame with the edge points that are found around its smoothed camera.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        step: of the frame, with its smoothed camera.
+        painted: the field's paint.
+        frame: the picture.
+        reach_px: how far off they are looked for, solver px.
+    """
+    wide = step.belief.information / _FREE_AGAIN
+    place = step.belief.covariance[POSITION_SLICE, POSITION_SLICE]
+    wide[POSITION_SLICE, POSITION_SLICE] += np.linalg.inv(place)
+    believed, vector = GaussianState(step.belief.vector, wide), step.belief.vector
+    for reach in sorted({reach_px, _MIN_SEARCH_RADIUS_PX}, reverse=True):
+        seen = measure_lines(picture, vector, painted, frame, reach)
+        if len(seen.marks) < _MIN_EDGE_POINTS:
+            return step
+        solved, marks = _solve_update(_plain_far(seen), believed, vector, frame, step.worth, reach)
+        vector = solved.vector
+    off = edge_point_residuals(vector, seen.marks, frame)
+    weights = geman_mcclure_weights(off)
+    coverage, _ = found_shares(seen, weights, painted)
+    least = _MIN_COVERAGE if step.marks is not None else _MIN_COVERAGE_FAR
+    few = (solved.weights > MIN_WEIGHT).sum() < _MIN_EDGE_POINTS / _FIRST_PASS_SUBSAMPLING
+    if few or coverage < least:
+        return step
+    around = search_nearby(picture, vector, painted, frame, seen, weights)
+    again = replace(
+        step,
+        coverage=coverage,
+        residual_px=float(np.median(np.abs(off[weights > MIN_WEIGHT]))),
+        around=around,
+        reason="",
+    )
+    return _updated_step(again, solved, marks, painted.world[:, seen.expected.rows], frame)
+
+
+def _plain_far(seen: LineMeasurement) -> LineMeasurement:
+    """Return what was found, without what is far off and fainter than usual: edges of boards."""
+    px, contrast = (of[seen.offsets.found] for of in (seen.offsets.px, seen.offsets.contrast))
+    kept = (np.abs(px) <= _MIN_SEARCH_RADIUS_PX) | (contrast >= _FAR_CONTRAST * np.median(contrast))
+    return replace(seen, marks=seen.marks.chosen(np.flatnonzero(kept)))
 
 
 def _updated_step(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.line_alignment.expected_lines import MarkingPoints
 from procc_annotator.calibration.line_alignment.gaussian_state import EdgeNoiseModel, GaussianState
 from procc_annotator.calibration.optimization.observations import ImageFrame
@@ -190,3 +191,16 @@ def build_chain(runs: Sequence[TrackedRun], given: Mapping[int, GaussianState]) 
         tuple(turns.get(n) for n in numbers[:-1]),
         {place: given[n] for place, n in enumerate(numbers) if n in given},
     )
+
+
+def neighbour_vector(chain: FrameChain, place: int, way: int) -> FloatArray | None:
+    """Return the camera (11,) of a frame by the one before (-1) or after it (1) and the motion
+    between both; None without either."""
+    if not 0 <= place + way < len(chain.numbers):
+        return None
+    turn = chain.turns[place if way > 0 else place - 1]
+    if turn is None:
+        return None
+    vector = chain.steps[place + way].belief.vector.copy()
+    vector[MOTION_PARAMETERS] -= way * turn.step
+    return vector

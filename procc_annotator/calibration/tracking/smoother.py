@@ -182,6 +182,8 @@ _CONVERGED = 1e-3  # standard deviations of the shared parameters
 _BATCH_ELEMENTS = 8
 _MIN_OFFSET_SD_PX = 0.05  # that an element lies beside the model by, solver px
 _MAX_KAPPA = 0.6
+# So far beside a given camera, solver px, that a track may be to pass through it.
+GIVEN_REACHED_PX = 6.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,16 +254,26 @@ class _StatePriors:
     usual: GaussianState
 
     def add_to(
-        self, information: FloatArray, pull: FloatArray, rows: slice, vectors: FloatArray
+        self,
+        information: FloatArray,
+        pull: FloatArray,
+        rows: slice,
+        vectors: FloatArray,
+        scale_px: float,
     ) -> None:
-        """Add it to the normal equations (b, 8, 8) and (b, 8) of some frames."""
+        """Add it to the normal equations (b, 8, 8) and (b, 8) of some frames; a given camera less
+        and less if all other frames contradict it."""
         own = [(k, prior) for k, prior in self.given.items() if rows.start <= k < rows.stop]
         if rows.start == 0:
             own.append((0, self.usual))
         for k, prior in own:
-            information[k - rows.start] += prior.information
             off = (prior.vector - vectors[k])[:PARAMETERS_FREE]
-            pull[k - rows.start] += prior.information @ off
+            counted = prior.information
+            if prior is not self.usual:
+                away = np.sqrt(off @ prior.information @ off / PARAMETERS_FREE)
+                counted = counted * geman_mcclure_weights(away, max(scale_px, GIVEN_REACHED_PX))
+            information[k - rows.start] += counted
+            pull[k - rows.start] += counted @ off
 
 
 def _build_normal_equations(
@@ -278,7 +290,7 @@ def _build_normal_equations(
     found = _empty_normal_equations(count, len(own), len(shared))
     for rows, some in marks.parts():
         information, pull = _edge_point_information(some, vectors[rows], frame, scale_px)
-        known.add_to(information, pull, rows, vectors)
+        known.add_to(information, pull, rows, vectors, scale_px)
         stiff = ties.add_to(information, pull, rows, vectors)
         found.own[rows] = information[:, own[:, None], own]
         found.border[rows] = information[:, own[:, None], shared]

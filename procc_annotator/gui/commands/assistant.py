@@ -193,7 +193,7 @@ class Assistant(QObject):
             here, field = services.state.annotation, services.state.sized_field
             self._work.start(
                 lambda _: copy_along_track(polylines, here, picture, field, fit),
-                partial(self._apply_copied, frame.name, along_track=True),
+                partial(self._apply_copied, frame.name, polylines, along_track=True),
             )
             return
         self._copy_moved(frame, polylines, picture, size[0])
@@ -212,9 +212,16 @@ class Assistant(QObject):
         paint = ExpectedLines(services.state.field, width)
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
-        self._work.start(work, partial(self._apply_copied, frame.name))
+        self._work.start(work, partial(self._apply_copied, frame.name, polylines))
 
-    def _apply_copied(self, source: str, outcome: Copied, *, along_track: bool = False) -> None:
+    def _apply_copied(
+        self,
+        source: str,
+        wanted: tuple[Polyline, ...],
+        outcome: Copied,
+        *,
+        along_track: bool = False,
+    ) -> None:
         services = self._services
         if not services.editing.begin_edit():
             return
@@ -227,8 +234,20 @@ class Assistant(QObject):
                 services.selection.select_class(outcome.polylines[0].class_name)
             what = tr_count(len(outcome.polylines), "{n} element", "{n} elements")
             how = _ALONG_TRACK if along_track else _MOVED if outcome.moved else _AS_THEY_WERE
-            words = tr(how, what=what, frame=source)
-            services.say(_with_unconfirmed(words, len(outcome.unseen)))
+            words = _with_unconfirmed(tr(how, what=what, frame=source), len(outcome.unseen))
+            services.say("; ".join(filter(None, (words, self._left_out(wanted, outcome)))))
+
+    def _left_out(self, wanted: tuple[Polyline, ...], outcome: Copied) -> str:
+        """Name the elements that were not copied."""
+        done, index = {p.class_name for p in outcome.polylines}, self._services.state.field.index
+        elements = self._services.state.field.elements
+        names = [p.class_name for p in wanted if p.class_name not in done]
+        titles = [elements[index[name]].title if name in index else name for name in names]
+        if not titles:
+            return ""
+        return tr(
+            "left out, not in the picture or no line seen: {elements}", elements=", ".join(titles)
+        )
 
     # --- second thoughts ------------------------------------------------------------------
 

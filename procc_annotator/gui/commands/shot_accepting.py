@@ -30,9 +30,8 @@ from procc_annotator.translation import tr, tr_count, translatable, word
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = word("it is annotated by now")
 _EDITED = word("it was edited since")
-_NONE_SURE = word(
-    "no frame to accept: follow the shot first (T); doubtful and annotated frames are left out"
-)
+_NOT_FOLLOWED = word("no frame to accept: follow the shot first (T)")
+_NONE_LEFT = word("no frame to accept: all that were followed are annotated")
 _BLIND = word("blind mode: nothing is accepted that was not clicked")
 
 
@@ -62,15 +61,20 @@ class _Stretch:
     field: Field
     least: float
 
-    def sure(self) -> Iterator[tuple[int, TrackedFrame]]:
-        """Index and camera of the frames that are sure and have no annotation."""
+    @property
+    def numbers(self) -> Sequence[int]:
+        """Return the numbers of the frames."""
+        own: list[int] = self.sequence.numbers[self.indices.start : self.indices.stop].tolist()
+        return own
+
+    def followed(self) -> Iterator[tuple[int, TrackedFrame]]:
+        """Index and camera of the frames that have a camera and no annotation."""
         numbers = self.sequence.numbers
         for index in self.indices:
             frame = self.tracked.get(int(numbers[index]))
             if index in self.annotated or frame is None or frame.fit is None:
                 continue
-            shown = self.revealed is None or self.frames[index].name in self.revealed
-            if shown and not review_reason(frame):
+            if self.revealed is None or self.frames[index].name in self.revealed:
                 yield index, frame
 
 
@@ -95,6 +99,7 @@ class StretchAccepting(QObject):
         self._found: dict[int, FrameAnnotation] = {}
         self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited
         self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
+        self._offered: frozenset[int] = frozenset()  # doubtful frames that once more accepts
         self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
         self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
@@ -119,7 +124,7 @@ class StretchAccepting(QObject):
         )
 
     def accept(self) -> None:
-        """Annotate the sure frames along the track."""
+        """Annotate the sure frames along the track; once more, the doubtful ones too."""
         services, workspace = self._services, self._services.state.workspace
         if self.running or workspace is None:
             return
@@ -128,11 +133,21 @@ class StretchAccepting(QObject):
             return
         services.store.events.aboutToLeave.emit()
         stretch = self._stretch()
-        if stretch is None:
-            services.say(tr(_NONE_SURE))
+        if stretch is None or not any(n in stretch.tracked for n in stretch.numbers):
+            services.say(tr(_NOT_FOLLOWED))
+            return
+        chosen = dict(stretch.followed())
+        doubts = {index: why for index, frame in chosen.items() if (why := review_reason(frame))}
+        if not doubts or self._offered != doubts.keys():
+            chosen = {index: frame for index, frame in chosen.items() if index not in doubts}
+            self._offered = frozenset(doubts)
+        else:
+            self._offered = frozenset()
+        if not chosen:
+            services.say(_doubtful(list(doubts.values())) if doubts else tr(_NONE_LEFT))
             return
         self._far = (0, 0)
-        self._looking.start(partial(_look, stretch), self._take, progress=self._advance)
+        self._looking.start(partial(_look, stretch, chosen), self._take, progress=self._advance)
         self.changed.emit()
 
     def take_back(self) -> None:
@@ -186,13 +201,11 @@ class StretchAccepting(QObject):
         self._far = (done, total)
         self.changed.emit()
 
-    def _take(self, found: dict[int, FrameAnnotation] | None) -> None:
+    def _take(self, found: dict[int, FrameAnnotation]) -> None:
         self.changed.emit()
-        if found is None:
-            self._services.say(tr(_NONE_SURE))
-            return
         if not found:
-            self._services.say(tr("no frame was accepted: too little of their lines is seen"))
+            words = tr("no frame was accepted: too little of their lines is seen")
+            self._services.say("; ".join((words, *self._left())))
             return
         self._found, self._put = found, {}
         self._at, self._here = self._services.state.frame_index, self._services.state.annotation
@@ -253,8 +266,19 @@ class StretchAccepting(QObject):
             "accepted {n:,} frames along the track",
         )
         back = tr("Ctrl+Z takes them back")
-        services.say("; ".join((words, *_why(outcome), back)))
+        services.say("; ".join((words, *_why(outcome), *self._left(), back)))
         self.changed.emit()
+
+    def _left(self) -> list[str]:
+        """Name the doubtful frames that were left, and how they are accepted."""
+        count = len(self._offered)
+        return [
+            tr_count(
+                count,
+                "{n:,} doubtful frame left: Ctrl+Shift+Enter once more accepts it",
+                "{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them",
+            )
+        ][: bool(count)]
 
     def _tell_taken_back(self, outcome: EditedFrames) -> None:
         words = tr_count(
@@ -275,7 +299,7 @@ class StretchAccepting(QObject):
         """Accept no more and say nothing: the dataset or the window closes."""
         self._stop_looking()
         self._edits.forget()
-        self._accepted = {}
+        self._accepted, self._offered = {}, frozenset()
         self._at = -1
 
 
@@ -288,15 +312,25 @@ def _why(outcome: EditedFrames) -> list[str]:
     return [tr_count(left, "{n:,} frame left: {why}", "{n:,} frames left: {why}", why=why)]
 
 
-def _look(stretch: _Stretch, control: JobControl) -> dict[int, FrameAnnotation] | None:
-    """In a thread: what each frame is to hold, by index, of those where paint was seen; None where
-    no frame is sure."""
-    chosen = list(stretch.sure())
-    if not chosen:
-        return None
+def _doubtful(reasons: list[str]) -> str:
+    """Say that all frames are doubtful, the most frequent reason, and what accepts them."""
+    why = max(reasons, key=reasons.count)
+    return tr_count(
+        len(reasons),
+        "{n:,} frame is doubtful ({why}): look at it; Ctrl+Shift+Enter once more accepts it",
+        "all {n:,} frames are doubtful ({why}): look at some; Ctrl+Shift+Enter once more accepts"
+        " them",
+        why=tr(why),
+    )
+
+
+def _look(
+    stretch: _Stretch, chosen: Mapping[int, TrackedFrame], control: JobControl
+) -> dict[int, FrameAnnotation]:
+    """In a thread: what each frame is to hold, by index, of those where paint was seen."""
     found = {}
     with stretch.sequence.open_pictures() as pictures:
-        for done, (index, frame) in enumerate(chosen):
+        for done, (index, frame) in enumerate(chosen.items()):
             control.progress_or_stop(done, len(chosen))
             try:
                 picture = pictures(frame.number)

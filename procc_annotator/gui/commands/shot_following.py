@@ -29,7 +29,16 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Stopped
 from procc_annotator.gui.state.services import Services
-from procc_annotator.translation import tr, tr_count
+from procc_annotator.translation import tr, tr_count, word
+
+_UNSURE_HERE = word(
+    "the camera of this frame is unsure: a sure one is looked for in the shot; look at this one,"
+    " accept its lines (Shift+Enter), then T follows them"
+)
+_NONE_SURE = word(
+    "no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or"
+    " annotate it, then T follows it"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +120,10 @@ class ShotFollowing(QObject):
         within = None
         if marked is not None and marked[0] <= number <= marked[1]:
             within = range(marked[0], marked[1] + 1)
-        self._begin(number, self._camera_here(), within)
+        camera = self._camera_here()
+        if camera is None and services.prediction.doubt:
+            services.say(tr(_UNSURE_HERE))
+        self._begin(number, camera, within)
 
     def stop(self) -> None:
         """Follow no further; the frames that came stay."""
@@ -179,9 +191,7 @@ class ShotFollowing(QObject):
         shot_track = self._services.shot_track
         shot_track.take(found, is_shot=is_shot)
         if all(frame.fit is None for frame in found.frames):
-            self._services.say(
-                tr("no frame of the shot has a camera that is sure: annotate one, then follow it")
-            )
+            self._services.say(tr(_NONE_SURE))
             return
         doubtful = sum(bool(review_reason(frame)) for frame in found.frames)
         self._services.say(_followed(len(found.frames), doubtful))

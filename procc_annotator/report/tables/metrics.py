@@ -205,13 +205,16 @@ LEGACY = (
 
 # --- cameras found in pictures: medians in tables, keys of tables of cameras ----------------------
 
+PROBABILITY = Metric(
+    "probability", "P(right)", "%", "higher", 0, "The probability that the camera is right."
+)
 COVERAGE = Metric(
     "coverage", "coverage", "%", "higher", 0,
     "The share of the projected lines on which paint was found.",
 )  # fmt: skip
 EXPLAINED = Metric(
     "explained", "explained", "%", "higher", 0,
-    "The share of the paint found that lies on a projected line.",
+    "The share of the paint found on the field that is on a projected line.",
 )  # fmt: skip
 RESIDUAL = Metric(
     "residual_px", "residual", "px", "lower", definition="How far paint is off the lines."

@@ -29,10 +29,12 @@ class Clip:
     Attributes:
         path: of the video.
         truth: number of a frame -> points on its paint; no frames where nobody measured any.
+        field: name of its field.
     """
 
     path: Path
     truth: Mapping[int, FrameAnnotation]
+    field: str = "soccer"
 
     @property
     def name(self) -> str:
@@ -63,6 +65,30 @@ def soccer_clips(shared: Path) -> list[Clip]:
         frames = points.get(path.stem, {})
         found.append(Clip(path, {int(n): _annotation(f["elements"]) for n, f in frames.items()}))
     return found
+
+
+# Points read off the pictures enlarged 8 times, to about 0.5 px, in ten frames of each clip: paint,
+# and edges between floors of two colours. Cameras fitted to them leave 0.3 to 1 px on average.
+_HALL_POINTS = Path(__file__).parents[2] / "data" / "hall_points.json"
+_HALL_FIELDS = {
+    "tennis": "tennis",
+    "volleyball": "volleyball",
+    "basketball_nba": "basketball_nba",
+    "hockey_nhl": "ice_hockey_nhl",
+}
+
+
+def hall_clips(shared: Path) -> list[Clip]:
+    """One shot each of tennis, volleyball, basketball and ice hockey."""
+    points = json.loads(_HALL_POINTS.read_text())
+    return [
+        Clip(
+            shared / "clips" / f"{name}.mp4",
+            {int(n): _annotation(elements) for n, elements in points[name].items()},
+            field,
+        )
+        for name, field in _HALL_FIELDS.items()
+    ]
 
 
 def _annotation(elements: Mapping[str, list[list[float]]]) -> FrameAnnotation:
@@ -101,13 +127,14 @@ def is_right(
     field that looks the same from there, too."""
     cameras = [camera]
     if isinstance(camera, PinholeCamera) and field.symmetries:
-        cameras.append(_turned(camera))
+        cameras.append(half_turned(camera))
     return any(
         float(np.mean(farthest(truth, own, size, field) <= NEAR_PX)) >= MOST_ELEMENTS
         for own in cameras
     )
 
 
-def _turned(camera: PinholeCamera) -> PinholeCamera:
+def half_turned(camera: PinholeCamera) -> PinholeCamera:
+    """The camera half a turn about the field's centre."""
     x, y, z = camera.position_world
     return replace(camera, pan_rad=camera.pan_rad + np.pi, position_world=(-x, -y, z))

@@ -26,7 +26,7 @@ from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray
-from tests.bench.no_clicks.clips import is_right, soccer_clips
+from tests.bench.no_clicks.clips import hall_clips, is_right, soccer_clips
 from tests.bench.sports.views import Views
 from tests.drawn_shots import ARENAS, Look, draw, random_camera, stage_of
 
@@ -129,6 +129,27 @@ def test_clips(benchmark, shared_data, known):
     print(f"| all | {total.row()} |\nsure and wrong: {', '.join(total.wrong) or 'none'}")
     assert total.right >= 0.9 * total.frames
     assert len(total.wrong) <= 0.01 * total.sure
+
+
+def test_other_sports(benchmark, shared_data):
+    """Ten frames of each shot of another sport."""
+
+    def run() -> dict[str, Tally]:
+        rows = {}
+        for clip in hall_clips(shared_data):
+            shown = load_field(clip.field)
+            rows[clip.name] = tally = Tally()
+            for number, truth in clip.truth.items():
+                found, seconds = proposed(clip.frame(number), shown)
+                right = is_right(truth, found.fit.camera, clip.size, shown)
+                tally.add(f"{clip.name} {number}", found, seconds, right=right)
+            print(f"| {clip.name} | {tally.row()} |", flush=True)
+        return rows
+
+    print(f"\n{_HEAD}")
+    total = Tally().plus(benchmark.pedantic(run, rounds=1).values())
+    print(f"| all | {total.row()} |\nsure and wrong: {', '.join(total.wrong) or 'none'}")
+    assert not total.wrong
 
 
 @pytest.mark.parametrize("name", ARENAS)

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 
@@ -153,6 +154,44 @@ def test_a_narrow_line_between_two_colours_is_found_in_its_middle():
     assert len(off) > 50
     assert np.median(seen.expected.width_px[own]) < 1
     assert abs(np.median(off)) < 0.25
+
+
+def test_an_edge_between_two_areas_is_found_where_no_line_is_painted():
+    stage, size = stage_of("basketball_fiba"), (960, 540)
+    shown = looking_at((0, 21.5, -6.5), (-6, 0, 0), 640, size)
+    painted, frame = marking_points(stage.field), ImageFrame(size)
+    vector = vector_from_camera(shown, frame)
+    corners = np.array(
+        [(x, y, 0.0) for x, y in ((-14, -2.45), (-8.2, -2.45), (-8.2, 2.45), (-14, 2.45))]
+    )
+    picture = np.full((*size[::-1], 4), (120, 180, 210, 255), dtype=np.uint8)
+    cv2.fillPoly(picture, [np.rint(shown.project(corners)[0]).astype(np.int32)], (150, 80, 20, 255))
+    seen = measure_lines(picture, vector, painted, frame, 4)
+    _, shares = found_shares(seen, np.ones(len(seen.marks)), painted)
+    for side in ("top", "front", "bottom"):
+        assert shares[f"Key area left {side}"] > 0.8
+    assert shares["Court edge top"] == 0
+
+
+def test_what_hides_lines_and_optional_lines_are_not_missing():
+    """The nearer half of the goal area is behind a crowd; nobody painted the optional lines."""
+    picture, painted = draw(TRUE), marking_points(FIELD)
+    whole = measure_lines(picture, VECTOR, painted, FRAME, 4.0)
+    rng = np.random.default_rng(3)
+    behind = whole.expected.px[1] > np.percentile(whole.expected.px[1], 60)
+    top = int(whole.expected.px[1][behind].min() / FRAME.scale + SIZE[1] / 2)
+    crowd = rng.integers(0, 255, (-(-(SIZE[1] - top) // 6), -(-SIZE[0] // 6), 3), dtype=np.uint8)
+    crowd = np.kron(crowd, np.ones((6, 6, 1), dtype=np.uint8))
+    picture[top:, :, :3] = crowd[: SIZE[1] - top, : SIZE[0]]
+    seen = measure_lines(picture, VECTOR, painted, FRAME, 4.0)
+    share, _ = found_shares(seen, np.ones(len(seen.marks)), painted)
+    assert share > 0.85
+    blank = measure_lines(np.full_like(picture, 90), VECTOR, painted, FRAME, 4.0)
+    assert found_shares(blank, np.ones(len(blank.marks)), painted)[0] == 0
+    optional = marking_points(
+        replace(FIELD, elements=tuple(replace(e, optional=True) for e in FIELD.elements))
+    )
+    assert not optional.required.any()
 
 
 # Places put where they belong turn and zoom a camera, which stays where it stands.

@@ -8,11 +8,32 @@ import numpy as np
 import pytest
 
 from procc_annotator.arrays import FloatArray
+from procc_annotator.calibration.line_alignment.refinement import LineAlignment
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal, ProposalState
-from procc_annotator.calibration.single_image.propose import better_proposal, propose_camera
+from procc_annotator.calibration.single_image import candidates
+from procc_annotator.calibration.single_image.candidates import (
+    BestCandidate,
+    RefinedCandidate,
+    better_candidate,
+)
+from procc_annotator.calibration.single_image.field_points import field_line_points
+from procc_annotator.calibration.single_image.pixel_aspect import (
+    SQUARE_PIXELS,
+    PixelAspect,
+    most_probable_aspect,
+    possible_pixel_aspects,
+)
+from procc_annotator.calibration.single_image.probability import (
+    POSSIBLE_FROM,
+    SURE_FROM,
+    ProposalEvidence,
+    probability_right,
+)
+from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.single_image.search import RankedCameras
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
@@ -60,13 +81,58 @@ def test_finds_the_camera_of_a_drawn_picture():
     assert "lie on paint" in found.reason
 
 
-def test_a_picture_squeezed_into_a_square_is_not_sure():
-    """Its paint suits a camera at another height as well."""
-    found = propose_camera(
-        np.asarray(cv2.resize(_drawn()[1], (540, 540)), np.uint8), _stage().field
-    )
+def test_a_squeezed_picture_has_a_camera_with_wide_pixels():
+    """It is not sure from one picture: a camera elsewhere suits square pixels as well."""
+    camera, picture = _drawn()
+    size = (540, 540)
+    squeezed = np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
+    found = propose_camera(squeezed, _stage().field)
     assert found.state == "unsure"
     assert "its pixels may not be square" in found.reason
+    assert found.fit.camera.focal_px[1] / found.fit.camera.focal_px[0] == pytest.approx(
+        16 / 9, 0.01
+    )
+    assert _worst_px(camera.scaled(PICTURE_SIZE, size), found.fit.camera, size) < 4
+    certain = propose_camera(squeezed, _stage().field, pixels=PixelAspect(16 / 9, 1.0))
+    assert certain.state == "sure"
+
+
+SEEN = ProposalEvidence(0.9, 0.9, 0.2, 2000.0, 7, 0.3, 0.5, 1.0)
+
+
+@pytest.mark.parametrize(
+    "worse",
+    [
+        {"coverage": 0.6},
+        {"explained": 0.6},
+        {"margin": 0.05},
+        {"length_px": 500.0},
+        {"elements": 3},
+        {"support": 0.02},
+        {"sd_px": 5.0},
+        {"displaced": "Side line top lies 9 px beside its paint"},
+    ],
+)
+def test_what_speaks_against_a_camera_makes_it_less_probable(worse):
+    assert probability_right(replace(SEEN, **worse)) < probability_right(SEEN)
+
+
+def test_overwhelming_evidence_is_sure_and_little_is_not():
+    assert probability_right(replace(SEEN, coverage=0.97, explained=0.98, margin=0.3)) > SURE_FROM
+    assert (
+        probability_right(ProposalEvidence(0.3, 0.3, 0.0, 300.0, 1, 0.0, 3.0, 30.0)) < POSSIBLE_FROM
+    )
+
+
+def test_pixels_are_those_that_explain_most_pictures():
+    """Square ones suit some pictures as well, 16:9 squeezed to a square suits all."""
+    possible = possible_pixel_aspects((640, 640))
+    bad = replace(SEEN, coverage=0.4, explained=0.3)
+    suits = {16 / 9: [SEEN, SEEN, SEEN], 4 / 3: [SEEN, bad, None], 1.0: [SEEN, bad, bad]}
+    found = most_probable_aspect(possible, [suits[one.value] for one in possible])
+    assert found.value == 16 / 9
+    assert found.probability > 0.99
+    assert possible_pixel_aspects((1920, 1080)) == (SQUARE_PIXELS,)
 
 
 def test_finds_a_camera_behind_a_goal():
@@ -117,6 +183,25 @@ def test_a_known_position_is_kept():
 WRONG = KnownPosition(np.array([-30.0, 50.0, -8.0]), np.eye(3) * 0.04)
 
 
+def test_a_camera_of_a_detector_is_a_hypothesis_where_the_search_misses_it(monkeypatch):
+    camera, picture = _drawn()
+    frame = ImageFrame(PICTURE_SIZE)
+
+    def misses(*_args: object) -> RankedCameras:
+        elsewhere = vector_from_camera(replace(camera, pan_rad=camera.pan_rad + 0.5), frame)
+        return RankedCameras(elsewhere[None], np.array([0.3]), elsewhere[None])
+
+    monkeypatch.setattr(candidates, "search_cameras", misses)
+    detected = vector_from_camera(replace(camera, pan_rad=camera.pan_rad + 0.005), frame)
+    place = KnownPosition(np.array(camera.position_world), np.eye(3))
+    missed = propose_camera(picture, _stage().field, known=[place], elsewhere=False)
+    assert missed.state == "none"
+    place = replace(place, camera=detected)
+    found = propose_camera(picture, _stage().field, known=[place], elsewhere=False)
+    assert _worst_px(camera, found.fit.camera) < 4
+    assert found.probability > POSSIBLE_FROM
+
+
 def test_a_wrong_known_position_is_not_sure_and_replaces_nothing():
     only = propose_camera(_drawn()[1], _stage().field, known=[WRONG], elsewhere=False)
     assert only.state != "sure"
@@ -124,35 +209,35 @@ def test_a_wrong_known_position_is_not_sure_and_replaces_nothing():
     assert (found.state, found.fit.camera) == ("sure", _anywhere().fit.camera)
 
 
-def _seen(
-    position: tuple[float, float, float], x: float, share: float, state: ProposalState
-) -> Proposal:
+def _seen(position: tuple[float, float, float], x: float, share: float) -> BestCandidate:
     """A camera that looks at (x, 0, 0) and agrees so well with the line pixels."""
     size = (1280, 720)
     focal_px = 1700.0 * np.hypot(*position[1:]) / np.hypot(60, 16)
     camera = looking_at(position, (x, 0, 0), focal_px, size)
     vector = vector_from_camera(camera, ImageFrame(size))
     fit = FitResult("P", size, camera, vector=vector, covariance=np.eye(len(vector)) * 0.09)
-    return Proposal(state, "", fit, share, share, 0.3, 0.5, None)
+    refined = LineAlignment(fit, share, None, {}, 100)
+    return BestCandidate(
+        RefinedCandidate(vector, refined, share, share, 0.0), None, 0.5 * share, 1.0
+    )
 
 
 @pytest.mark.parametrize(
-    ("at_known", "kept", "state"),
+    ("at_known", "kept", "rival"),
     [
-        (_seen((0.3, 60, -16), 20.0, 0.85, "sure"), "at_known", "sure"),
-        (_seen((0.3, -60, -16), -20.0, 0.85, "sure"), "at_known", "sure"),  # its other side
-        (_seen((0, 64, -17), 20.0, 0.95, "sure"), "free", "sure"),  # contradicted by the picture
-        (_seen((0, 60, -16), -20.0, 0.95, "unsure"), "free", "sure"),
-        (_seen((0, 60, -16), -20.0, 0.60, "sure"), "free", "sure"),
-        (_seen((0, 60, -16), -20.0, 0.86, "sure"), "free", "unsure"),
-        (_seen((0, 60, -16), -20.0, 1.00, "sure"), "at_known", "sure"),
+        (_seen((0.3, 60, -16), 20.0, 0.85), "at_known", 0.425),
+        (_seen((0.3, -60, -16), -20.0, 0.85), "at_known", 0.425),  # its other side
+        (_seen((0, 64, -17), 20.0, 0.95), "free", 0.44),  # contradicted by the picture
+        (_seen((0, 60, -16), -20.0, 0.95), "at_known", 0.88),
+        (_seen((0, 60, -16), -20.0, 0.86), "free", 0.44),
     ],
 )
-def test_a_known_position_is_one_more_hypothesis(at_known, kept, state):
-    free = _seen((0, 60, -16), 20.0, 0.88, "sure")
-    found = better_proposal(free, at_known, _stage().field)
-    assert found.fit is {"free": free, "at_known": at_known}[kept].fit
-    assert found.state == state
+def test_a_known_position_is_one_more_hypothesis(at_known, kept, rival):
+    """The better one wins; a free camera that wins is as sure as without a known position."""
+    free, field = _seen((0, 60, -16), 20.0, 0.88), _stage().field
+    found = better_candidate(free, at_known, field, field_line_points(field))
+    assert found.candidate is {"free": free, "at_known": at_known}[kept].candidate
+    assert found.other_score == pytest.approx(rival)
 
 
 @pytest.mark.parametrize("sport", ["volleyball", "ice_hockey"])
@@ -170,8 +255,8 @@ def test_more_paint_on_the_right_field_does_not_question_the_sport():
         cv2.line(picture, (250, y), (1150, y + 40), (235, 238, 236, 255), 4, cv2.LINE_AA)
     known = KnownPosition(np.array(MAIN), np.eye(3) * 0.04)
     found = propose_camera(picture, _stage().field, known=[known], elsewhere=False)
-    assert found.state == "unsure"
-    assert found.reason.startswith("there is paint where the field has none")
+    assert not found.reason.startswith("is this")
+    assert _worst_px(_drawn()[0], found.fit.camera) < 4
 
 
 def test_a_picture_without_paint_has_no_camera():

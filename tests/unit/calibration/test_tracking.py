@@ -13,14 +13,21 @@ from procc_annotator.calibration.line_alignment.expected_lines import marking_po
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.field_points import field_line_points
+from procc_annotator.calibration.single_image.icp_refinement import line_pixels_for_field
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
 from procc_annotator.calibration.tracking import shot_tracker, smoother
 from procc_annotator.calibration.tracking.filter_step import (
     FilterStep,
     nearest_pinhole_vector,
+    remeasured_step,
     state_from_camera,
 )
 from procc_annotator.calibration.tracking.forward_pass import FrameChain, track_run
+from procc_annotator.calibration.tracking.frame_evidence import (
+    explained_share,
+    thinned_line_pixels,
+)
 from procc_annotator.calibration.tracking.frame_reader import decoded_frames
 from procc_annotator.calibration.tracking.motion_model import (
     MOTION_PARAMETERS,
@@ -102,6 +109,41 @@ def test_an_anchor_keeps_its_camera_to_the_digit_and_the_track_passes_it():
     assert found.frames[10].anchor_distance == 2
 
 
+def test_a_track_that_does_not_pass_through_a_known_camera_is_doubtful():
+    """Its lines lie 23 px beside those of the picture, and all other frames agree on these."""
+    wrong = replace(CAMERAS[7], pan_rad=CAMERAS[7].pan_rad + 0.02)
+    found = _followed(anchors={7: wrong, 15: CAMERAS[15]})
+    assert found.frames[7].fit.camera is wrong
+    others = [f for f in found.frames if f.state != "anchor"]
+    assert max(_off(f) for f in others) < 1.5
+    assert all(("off the nearest frame" in f.reason) == (f.number <= 11) for f in others)
+
+
+def test_an_element_that_following_lost_is_measured_again_around_the_smoothed_camera():
+    frame, painted = ImageFrame(SIZE), marking_points(FIELD)
+    vector = nearest_pinhole_vector(CAMERAS[0], FIELD, frame)
+    start = state_from_camera(vector, FIELD, painted, frame)
+    steps: list[FilterStep] = []
+    track_run(
+        _picture, range(3), start, painted, frame, lambda _, step: steps.append(step), lambda: None
+    )
+    whole = steps[2].marks
+    lost = np.unique(whole.element)[0]
+    poor = replace(steps[2], marks=whole.chosen(whole.element != lost), coverage=0.5)
+    again = remeasured_step(_picture(2), poor, painted, frame)
+    assert set(again.marks.element) == set(whole.element)
+    assert again.coverage == pytest.approx(steps[2].coverage, abs=0.02)
+    assert remeasured_step(draw(CAMERAS[2], lines=False), poor, painted, frame) is poor
+
+
+def test_a_right_camera_explains_the_line_pixels_of_its_picture_and_a_wrong_one_does_not():
+    vector, lines = vector_from_camera(CAMERAS[2], FRAME), field_line_points(FIELD)
+    seen = thinned_line_pixels(line_pixels_for_field(_picture(2), FIELD))
+    turned = vector + 0.02 * (np.arange(11) == 0)  # 30 px
+    assert explained_share(seen, vector, lines) > 0.95
+    assert explained_share(seen, turned, lines) < 0.6
+
+
 def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(monkeypatch):
     """All frames together suit a camera that is turned: then they stay as they were followed."""
 
@@ -124,6 +166,28 @@ def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(monkeypatch)
     assert not any(f.reason for f in found.frames)
 
 
+def test_of_sure_cameras_the_first_one_with_a_known_position_is_followed(monkeypatch):
+    """The one of frame 0 stands where it shows nearly the same, zoomed accordingly."""
+    count, asked = 45, []
+    true = [camera(0.02 * n, 1.33, 1500.0) for n in range(count)]
+    pictures = [draw(shown, seed=n) for n, shown in enumerate(true)]
+
+    def propose(*_: object) -> Proposal:
+        number = 20 * len(asked)
+        asked.append(number)
+        fit = FitResult("R", SIZE, true[number], vector=vector_from_camera(true[number], FRAME))
+        return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
+
+    found = track_shot(pictures.__getitem__, range(count), FIELD, propose=propose)
+    assert asked == [0, 20]
+    assert [f.number for f in found.frames if f.anchor_distance == 0] == [20]
+    monkeypatch.setattr(shot_tracker, "_MAX_POSITION_SD_M", 0.0)
+    asked.clear()
+    found = track_shot(pictures.__getitem__, range(count), FIELD, propose=propose)
+    assert asked == [0, 20, 40]
+    assert all(f.state == "followed" for f in found.frames)
+
+
 def test_frames_solved_some_at_a_time_have_the_same_cameras(monkeypatch):
     def frame(number: int) -> PixelArray:
         return _picture(number, lines=not 6 <= number < 12)  # some have nothing to solve
@@ -133,7 +197,8 @@ def test_frames_solved_some_at_a_time_have_the_same_cameras(monkeypatch):
     for one, other in zip(whole.frames, _followed(frame).frames, strict=True):
         np.testing.assert_allclose(other.fit.vector, one.fit.vector, atol=1e-9)
         np.testing.assert_allclose(other.fit.covariance, one.fit.covariance, rtol=1e-6)
-        assert (one.state, one.coverage) == (other.state, other.coverage)
+        assert one.state == other.state
+        assert one.coverage == pytest.approx(other.coverage)
 
 
 @pytest.mark.parametrize("worn", [False, True])
@@ -359,9 +424,9 @@ def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_d
     places = [c.position_world for c in cameras if isinstance(c, PinholeCamera)]
     assert len(places) == video.frame_count
     assert np.ptp(places, axis=0).max() < 0.1
-    # Followed twice, and once more only until it is clear that it does not move.
+    # Followed once, and once more only until it is clear that it does not move.
     followed = sum(frame.state != "lost" for frame in told)
-    assert 1.9 * video.frame_count < followed < 2.9 * video.frame_count
+    assert 0.9 * video.frame_count < followed < 1.9 * video.frame_count
 
 
 def test_coverage_is_that_of_the_camera_that_is_handed_back():

@@ -116,6 +116,19 @@ def test_a_floor_begins_where_paint_is():
     assert not ground[120:].any()
 
 
+def test_edges_between_areas_of_a_floor_are_found_where_they_may_be_lines():
+    picture = np.full((SIZE[1], SIZE[0], 3), (110, 170, 205), dtype=np.uint8)
+    cv2.rectangle(picture, (300, 180), (700, 360), (160, 90, 20), -1)  # a painted key
+    cv2.circle(picture, (150, 300), 30, (60, 60, 220), -1)  # a player's shirt
+    args = {"light": True, "dark": True, "floor": True}
+    found = detect_line_pixels(picture, **args, edges=True).points
+    level = np.abs(found[1] - 180) < 1.5
+    assert level.sum() > 350
+    assert found.shape[1] > 1000
+    assert (np.hypot(found[0] - 150, found[1] - 300) > 40).all()
+    assert detect_line_pixels(picture, **args).points.shape[1] < 100
+
+
 def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker():
     random = np.random.default_rng(3)
     picture = np.full((SIZE[1], SIZE[0], 3), (88, 138, 182), dtype=np.uint8)

@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from procc_annotator.batch.camera_proposals import mark_non_square_pixels
-from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.proposal import SURE, UNSURE, Proposal
+from procc_annotator.batch.camera_proposals import video_pixel_aspect
+from procc_annotator.calibration.single_image.pixel_aspect import PixelAspect
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decoding import decode_bgra, decode_thumbnail, read_size
@@ -161,18 +160,15 @@ def _write_h264(path: Path, frames: list[Pixels], pixel_aspect: Fraction = Fract
     return path
 
 
-@pytest.mark.parametrize(("aspect", "state"), [(Fraction(1), SURE), (Fraction(4, 3), UNSURE)])
-def test_a_camera_is_not_sure_if_the_video_says_that_its_pixels_are_not_square(
-    tmp_path, aspect, state
-):
+@pytest.mark.parametrize("aspect", [Fraction(1), Fraction(4, 3)])
+def test_pixels_that_are_not_square_are_those_of_the_metadata(tmp_path, aspect):
     path = _write_h264(tmp_path / "a.mp4", [_frame(n) for n in range(3)], aspect)
-    fit = FitResult("R", (WIDTH, HEIGHT), None)
-    found = mark_non_square_pixels(
-        Proposal(SURE, "", fit, 1.0, 1.0, 0.1, 1.0, None), path / "00000001"
+    found = video_pixel_aspect(path / "00000001")
+    assert found == (None if aspect == 1 else PixelAspect(pytest.approx(4 / 3), 1.0))
+    notices = open_pictures(path).notices
+    assert [("its pixels are 1.333 times as wide as high" in one) for one in notices] == (
+        [True] if aspect > 1 else []
     )
-    assert found.state == state
-    assert found.reason.startswith("its pixels are 1.333 times as wide as high") == (aspect > 1)
-    assert open_pictures(path).notices == ((f"{path}: {found.reason}",) if aspect > 1 else ())
 
 
 @pytest.mark.parametrize(

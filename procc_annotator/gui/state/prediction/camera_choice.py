@@ -14,8 +14,18 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
 from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
-from procc_annotator.batch.camera_proposals import mark_non_square_pixels
+from procc_annotator.batch.camera_proposals import (
+    ASPECT_SETTING,
+    aspect_setting,
+    set_pixel_aspect,
+    stored_pixel_aspect,
+    video_pixel_aspect,
+)
 from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.pixel_aspect import (
+    PixelAspect,
+    possible_pixel_aspects,
+)
 from procc_annotator.calibration.single_image.proposal import SURE, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.track import TrackedFrame
@@ -41,7 +51,8 @@ _NEIGHBOURS = (1, -1)  # looked at once nothing is left to do for the frame on s
 class Proposals(QObject):
     """Looks at the frame on screen if nothing is annotated there, then at those next to it.
 
-    The answer is that of the picture alone: it does not depend on what was opened before.
+    The answer is that of the picture alone, it does not depend on what was opened before; except
+    how wide the pixels of the dataset are, which the dataset keeps.
     Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
     in a dataset locked to it, nothing is looked for.
 
@@ -51,9 +62,11 @@ class Proposals(QObject):
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
 
-    def __init__(self, store: Store, cache: FrameCache) -> None:
+    def __init__(self, store: Store, cache: FrameCache, review: ReviewState) -> None:
         super().__init__(store)
-        self._store, self._cache = store, cache
+        self._store, self._cache, self._review = store, cache, review
+        self._frames: tuple[Frame, ...] = ()
+        self._pixels: PixelAspect | None = None  # of the dataset, where they may not be square
         self.wanted = True
         self._derived = ComputedValue(
             self._next,
@@ -111,6 +124,9 @@ class Proposals(QObject):
         if state.workspace is None or state.picture is None:
             return None
         here, frames = state.frame_index, state.workspace.frames
+        if frames is not self._frames:
+            self._frames = frames
+            self._pixels = stored_pixel_aspect(self._review.setting(ASPECT_SETTING))
         for index in (here, *(here + step for step in _NEIGHBOURS)):
             if not 0 <= index < len(frames):
                 continue
@@ -139,10 +155,19 @@ class Proposals(QObject):
         """Propose a camera; runs in a thread."""
         go_on()
         field = field_for_frame(field, frame.name)
-        found = propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
-        return mark_non_square_pixels(found, frame.image_path)
+        picture = self._cache.get(frame.image_path)
+        pixels = video_pixel_aspect(frame.image_path)
+        if pixels is None and len(possible_pixel_aspects((picture.shape[1], picture.shape[0]))) > 1:
+            frames, pixels = self._frames, self._pixels
+            if pixels is None:
+                pixels = set_pixel_aspect(frames, field, go_on)
+                if frames is self._frames:
+                    self._pixels = pixels
+        return propose_camera(picture, field, pixels=pixels, go_on=go_on)
 
     def _take(self) -> None:
+        if self._pixels is not None:
+            self._review.set_setting(ASPECT_SETTING, aspect_setting(self._pixels))
         self.changed.emit()
         self._derived.invalidate_later()  # there may be the next one to look at
 

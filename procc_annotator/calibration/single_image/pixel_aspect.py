@@ -1,0 +1,128 @@
+"""Pictures whose pixels are not square: how wide they are, and cameras of such pictures.
+
+Training pipelines squeeze frames to squares, and some video formats store wide pictures in narrow
+ones. With the wrong pixels another camera, higher or nearer, agrees with most of the lines as well.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from procc_annotator.calibration.optimization.camera_parameters import KAPPA, vector_from_camera
+from procc_annotator.calibration.optimization.observations import ImageFrame
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.probability import (
+    ProposalEvidence,
+    probability_right,
+)
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.image.pixels import PixelArray
+
+_WIDE, _NARROW = 16 / 9, 4 / 3  # shapes of pictures as they are shown
+_SAME_SHAPE = 0.03
+# Longer by shorter side of the narrowest pictures that cameras make (5:4).
+_MIN_VIEW_FACTOR = 1.25
+# Nobody films squares: nearly all are made from wide pictures, few are cut out.
+_SQUEEZED_PRIORS = {_WIDE: 0.75, _NARROW: 0.15, 1.0: 0.1}
+# Sizes that video formats store 4:3 and 16:9 pictures in (Rec. 601, DV, HDV, DVCPRO HD).
+_STORED_SIZES = {
+    (720, 576), (704, 576), (720, 480), (704, 480), (1440, 1080), (1280, 1080), (960, 720),
+}  # fmt: skip
+_WRONG_CAMERA = 0.01  # a picture in which no camera is found tells no more than this
+
+
+@dataclass(frozen=True)
+class PixelAspect:
+    """The width of a picture's pixels over their height.
+
+    Attributes:
+        value: 1 for square ones.
+        probability: that it is this one, 0 to 1.
+    """
+
+    value: float
+    probability: float
+
+
+SQUARE_PIXELS = PixelAspect(1.0, 1.0)
+
+
+def possible_pixel_aspects(size: tuple[int, int]) -> tuple[PixelAspect, ...]:
+    """What the pixels of a picture (width, height) may be, with the probabilities before it is
+    examined; one alone for shapes that cameras make."""
+    shape = size[0] / size[1]
+    if size in _STORED_SIZES:
+        shapes = {_WIDE: 0.5, _NARROW: 0.5}
+    elif 1 / _MIN_VIEW_FACTOR < shape < _MIN_VIEW_FACTOR:
+        shapes = {shape if way == 1.0 else way: prior for way, prior in _SQUEEZED_PRIORS.items()}
+    else:
+        return (SQUARE_PIXELS,)
+    return tuple(
+        PixelAspect(1.0 if abs(way / shape - 1) < _SAME_SHAPE else way / shape, prior)
+        for way, prior in shapes.items()
+    )
+
+
+def most_probable_aspect(
+    possible: Sequence[PixelAspect], evidence: Sequence[Sequence[ProposalEvidence | None]]
+) -> PixelAspect:
+    """The pixels that explain pictures of one source best.
+
+    Args:
+        possible: what they may be.
+        evidence: for each of them, that of the best camera of each picture; None without one.
+    """
+    log_odds = [
+        math.log(one.probability) + _log_likelihood(of_pictures)
+        for one, of_pictures in zip(possible, evidence, strict=True)
+    ]
+    weights = np.exp(np.array(log_odds) - max(log_odds))
+    best = int(weights.argmax())
+    return PixelAspect(possible[best].value, float(weights[best] / weights.sum()))
+
+
+def _log_likelihood(evidence: Sequence[ProposalEvidence | None]) -> float:
+    """How probable cameras are right, and stand where cameras do: that counts once, since pictures
+    of one source share a tripod."""
+    right = [_WRONG_CAMERA if one is None else probability_right(one) for one in evidence]
+    placement = [one.unlikeliness for one in evidence if one is not None]
+    found = sum(math.log(max(one, _WRONG_CAMERA)) for one in right)
+    return found - (float(np.mean(placement)) if placement else 0.0)
+
+
+def with_square_pixels(picture: PixelArray, aspect: float) -> PixelArray:
+    """A picture (H, W, 4) stretched so that its pixels are square."""
+    if aspect == 1:
+        return picture
+    height, width = picture.shape[:2]
+    size = (round(width * max(aspect, 1.0)), round(height / min(aspect, 1.0)))
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
+
+
+def fit_in_picture(fit: FitResult, size: tuple[int, int]) -> FitResult:
+    """A fit to a stretched picture, in px of the picture (width, height) as it is."""
+    if fit.size == size or not isinstance(fit.camera, PinholeCamera):
+        return replace(fit, size=size)
+    camera = fit.camera.scaled(fit.size, size)
+    vector = vector_from_camera(camera, ImageFrame(size))
+    covariance, deviations = fit.covariance, fit.deviations
+    if covariance is not None and fit.vector is not None:
+        # Distortion is told at the corner, which is elsewhere.
+        old, new = (
+            (ImageFrame(s).half_diagonal / (c.focal_px[1] * ImageFrame(s).scale)) ** 2
+            for s, c in ((fit.size, fit.camera), (size, camera))
+        )
+        by = np.ones(len(covariance))
+        by[KAPPA] = new / old
+        covariance = covariance * np.outer(by, by)
+    if deviations is not None:
+        focal = deviations.focal_px * camera.focal_px[1] / fit.camera.focal_px[1]
+        deviations = replace(deviations, focal_px=focal)
+    return replace(
+        fit, size=size, camera=camera, vector=vector, covariance=covariance, deviations=deviations
+    )
