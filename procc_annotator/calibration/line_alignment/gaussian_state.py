@@ -290,7 +290,6 @@ def fit_from_covariance(
         covariance,
         True,
         vector,
-        of_clicks=covariance,
     )
 
 
