@@ -21,8 +21,9 @@ POSSIBLE_FROM = 0.5
 MODEL_FILE = "proposal_probability.toml"
 
 _HALF_SHARE = 0.02  # shares of 0 and 1 have finite odds
-_MOST_MARGIN = 0.3  # beyond, a rival says nothing more; so does there being none
-_LEAST_SD_PX = 0.1  # solver px
+# Beyond these, evidence says nothing more about other matches (cross-validated): a clear margin, or
+# no rival at all; a quarter of the starts; projected lines known to a pixel.
+_MAX_MARGIN, _MAX_SUPPORT, _MIN_SD_PX = 0.2, 0.25, 1.0
 
 
 @dataclass(frozen=True)
@@ -58,12 +59,12 @@ class ProposalEvidence:
             [
                 _log_odds(self.coverage),
                 _log_odds(self.explained),
-                min(self.margin, _MOST_MARGIN),
+                min(self.margin, _MAX_MARGIN),
                 math.log(max(self.length_px, 1.0)),
                 math.log1p(self.elements),
-                _log_odds(self.support),
-                -self.unlikeliness,
-                -math.log(max(self.sd_px, _LEAST_SD_PX)),
+                min(self.support, _MAX_SUPPORT),
+                -math.sqrt(self.unlikeliness),
+                -math.log(max(self.sd_px, _MIN_SD_PX)),
                 -float(bool(self.displaced)),
             ]
         )

@@ -46,7 +46,7 @@ HELD_OUT = ("Italia-Alemania", "Chelsea-Milan", "42ba34", "2e57b9")
 MISSED = 0.03
 _DRAWN, _SIZE, _SEED = 30, (960, 540), 31
 _PLAIN = ("tennis", "handball", "futsal", "american_football", "basketball_nba", "ice_hockey_nhl")
-_PENALTY = 0.3  # on squared weights of features with unit variance
+_PENALTY = 0.1  # on squared weights of features with unit variance
 
 
 @dataclass(frozen=True)
@@ -251,8 +251,8 @@ def reliability(title: str, probability: np.ndarray, right: np.ndarray) -> None:
     sure = probability >= SURE_FROM
     print(
         f"\n{title}: {right.sum()} right, {(~right).sum()} wrong; of the right ones"
-        f" {100 * sure[right].mean():.1f} % sure; sure and wrong {(sure & ~right).sum()};"
-        f" right and below 0.5: {(probability[right] < 0.5).sum()}"
+        f" {100 * sure[right].sum() / max(right.sum(), 1):.1f} % sure;"
+        f" sure and wrong {(sure & ~right).sum()}; right and below 0.5: {(probability[right] < 0.5).sum()}"
     )
     print("| probability | frames | mean | right |\n|---|---|---|---|")
     for low, high in ((0, 0.1), (0.1, 0.5), (0.5, 0.9), (0.9, 0.99), (0.99, 0.999), (0.999, 1.01)):
