@@ -22,11 +22,12 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.single_image.pixel_aspect import (
+    AspectSample,
     PixelAspect,
     most_probable_aspect,
     possible_pixel_aspects,
 )
-from procc_annotator.calibration.single_image.probability import SURE_FROM, ProposalEvidence
+from procc_annotator.calibration.single_image.probability import SURE_FROM
 from procc_annotator.calibration.single_image.proposal import (
     SURE,
     KnownPosition,
@@ -325,7 +326,7 @@ def set_pixel_aspect(
     if stated is not None:
         return stated
     possible: Sequence[PixelAspect] = ()
-    evidence: list[list[ProposalEvidence | None]] = []
+    samples: list[list[AspectSample | None]] = []
     for frame in frames[:: max(len(frames) // _ASPECT_PICTURES, 1)][:_ASPECT_PICTURES]:
         try:
             picture = decode_for_camera(frame.image_path)
@@ -334,14 +335,14 @@ def set_pixel_aspect(
         own = possible_pixel_aspects((picture.shape[1], picture.shape[0]))
         if len(own) == 1 or (possible and own != possible):
             return None
-        possible, evidence = own, evidence or [[] for _ in own]
-        for aspect, of_pictures in zip(own, evidence, strict=True):
+        possible, samples = own, samples or [[] for _ in own]
+        for aspect, of_pictures in zip(own, samples, strict=True):
             own_field = field_for_frame(field, frame.name)
             best = found_camera(picture, own_field, aspect.value, go_on=go_on)
-            of_pictures.append(best.evidence if best else None)
-        if most_probable_aspect(possible, evidence).probability > _CERTAIN:
+            of_pictures.append(best.sample if best else None)
+        if most_probable_aspect(possible, samples).probability > _CERTAIN:
             break
-    return most_probable_aspect(possible, evidence) if possible else None
+    return most_probable_aspect(possible, samples) if possible else None
 
 
 class ProposalRun(SetRun[Frame, Proposed, None]):

@@ -1,7 +1,8 @@
 """Pictures whose pixels are not square: how wide they are, and cameras of such pictures.
 
 Training pipelines squeeze frames to squares, and some video formats store wide pictures in narrow
-ones. With the wrong pixels another camera, higher or nearer, agrees with most of the lines as well.
+ones. With the wrong pixels another camera, higher or nearer, agrees with most of the lines as well;
+but frames of one tripod then give different positions when they look in different directions.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import KAPPA, vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
@@ -34,6 +36,7 @@ _STORED_SIZES = {
     (720, 576), (704, 576), (720, 480), (704, 480), (1440, 1080), (1280, 1080), (960, 720),
 }  # fmt: skip
 _WRONG_CAMERA = 0.01  # a picture in which no camera is found tells no more than this
+_TRIPOD_SD_M = 0.5  # cameras that are found at one tripod agree to about this
 
 
 @dataclass(frozen=True)
@@ -68,31 +71,52 @@ def possible_pixel_aspects(size: tuple[int, int]) -> tuple[PixelAspect, ...]:
     )
 
 
+@dataclass(frozen=True, eq=False)
+class AspectSample:
+    """The best camera of a picture with some pixel aspect.
+
+    Attributes:
+        evidence: for and against it.
+        position_m: (3,) metres.
+    """
+
+    evidence: ProposalEvidence
+    position_m: FloatArray
+
+
 def most_probable_aspect(
-    possible: Sequence[PixelAspect], evidence: Sequence[Sequence[ProposalEvidence | None]]
+    possible: Sequence[PixelAspect], samples: Sequence[Sequence[AspectSample | None]]
 ) -> PixelAspect:
     """The pixels that explain pictures of one source best.
 
     Args:
         possible: what they may be.
-        evidence: for each of them, that of the best camera of each picture; None without one.
+        samples: for each of them, the best camera of each picture; None without one.
     """
     log_odds = [
         math.log(one.probability) + _log_likelihood(of_pictures)
-        for one, of_pictures in zip(possible, evidence, strict=True)
+        for one, of_pictures in zip(possible, samples, strict=True)
     ]
     weights = np.exp(np.array(log_odds) - max(log_odds))
     best = int(weights.argmax())
     return PixelAspect(possible[best].value, float(weights[best] / weights.sum()))
 
 
-def _log_likelihood(evidence: Sequence[ProposalEvidence | None]) -> float:
-    """How probable cameras are right, and stand where cameras do: that counts once, since pictures
-    of one source share a tripod."""
-    right = [_WRONG_CAMERA if one is None else probability_right(one) for one in evidence]
-    placement = [one.unlikeliness for one in evidence if one is not None]
+def _log_likelihood(samples: Sequence[AspectSample | None]) -> float:
+    """How probable cameras are right, and stand where cameras do, which counts once; and how well
+    each agrees with the nearest other one on a position (Cauchy: there may be several tripods)."""
+    cameras = [one for one in samples if one is not None]
+    right = [probability_right(one.evidence) for one in cameras]
     found = sum(math.log(max(one, _WRONG_CAMERA)) for one in right)
-    return found - (float(np.mean(placement)) if placement else 0.0)
+    found += (len(samples) - len(cameras)) * math.log(_WRONG_CAMERA)
+    if not cameras:
+        return found
+    found -= float(np.mean([one.evidence.unlikeliness for one in cameras]))
+    places = np.array([one.position_m for one in cameras])
+    apart = np.linalg.norm(places[:, None] - places, axis=2) + np.diag([np.inf] * len(places))
+    if len(cameras) > 1:
+        found -= float(np.log1p((apart.min(axis=1) / _TRIPOD_SD_M) ** 2).sum())
+    return found
 
 
 def with_square_pixels(picture: PixelArray, aspect: float) -> PixelArray:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from procc_annotator.calibration.optimization.camera_parameters import (
+    POSITION_SLICE,
     camera_from_vector,
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
@@ -19,6 +20,7 @@ from procc_annotator.calibration.single_image.icp_refinement import (
 )
 from procc_annotator.calibration.single_image.pixel_aspect import (
     SQUARE_PIXELS,
+    AspectSample,
     PixelAspect,
     fit_in_picture,
     most_probable_aspect,
@@ -112,7 +114,7 @@ def propose_camera(
         for aspect in possible
     ]
     if len(found) > 1:
-        pixels = most_probable_aspect(possible, [[one.evidence if one else None] for one in found])
+        pixels = most_probable_aspect(possible, [[one.sample if one else None] for one in found])
     best = found[[one.value for one in possible].index(pixels.value)] if pixels else found[0]
     if best is None:
         why = "no camera has its lines on the paint of this picture"
@@ -133,6 +135,11 @@ class FoundCamera:
 
     candidate: BestCandidate
     evidence: ProposalEvidence
+
+    @property
+    def sample(self) -> AspectSample:
+        """What it says of the pixels."""
+        return AspectSample(self.evidence, self.candidate.candidate.vector[POSITION_SLICE])
 
 
 def found_camera(

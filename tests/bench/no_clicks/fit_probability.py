@@ -249,11 +249,9 @@ def cross_validated(all_: Examples, parts: int = 8) -> np.ndarray:
 def reliability(title: str, probability: np.ndarray, right: np.ndarray) -> None:
     """Print how many of the examples in each range of probability are right."""
     sure = probability >= SURE_FROM
-    print(
-        f"\n{title}: {right.sum()} right, {(~right).sum()} wrong; of the right ones"
-        f" {100 * sure[right].sum() / max(right.sum(), 1):.1f} % sure;"
-        f" sure and wrong {(sure & ~right).sum()}; right and below 0.5: {(probability[right] < 0.5).sum()}"
-    )
+    print(f"\n{title}: {right.sum()} right, {(~right).sum()} wrong;", end=" ")
+    print(f"sure {sure[right].sum()} and {(sure & ~right).sum()} of these;", end=" ")
+    print(f"right and below 0.5: {(probability[right] < 0.5).sum()}")
     print("| probability | frames | mean | right |\n|---|---|---|---|")
     for low, high in ((0, 0.1), (0.1, 0.5), (0.5, 0.9), (0.9, 0.99), (0.99, 0.999), (0.999, 1.01)):
         own = (probability >= low) & (probability < high)

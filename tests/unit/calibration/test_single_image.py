@@ -21,6 +21,7 @@ from procc_annotator.calibration.single_image.candidates import (
 from procc_annotator.calibration.single_image.field_points import field_line_points
 from procc_annotator.calibration.single_image.pixel_aspect import (
     SQUARE_PIXELS,
+    AspectSample,
     PixelAspect,
     most_probable_aspect,
     possible_pixel_aspects,
@@ -97,7 +98,7 @@ def test_a_squeezed_picture_has_a_camera_with_wide_pixels():
     assert certain.state == "sure"
 
 
-SEEN = ProposalEvidence(0.9, 0.9, 0.2, 2000.0, 7, 0.3, 0.5, 1.0)
+SEEN = ProposalEvidence(0.95, 0.95, 0.2, 2500.0, 9, 0.3, 0.5, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -125,11 +126,14 @@ def test_overwhelming_evidence_is_sure_and_little_is_not():
 
 
 def test_pixels_are_those_that_explain_most_pictures():
-    """Square ones suit some pictures as well, 16:9 squeezed to a square suits all."""
+    """Other ones suit each picture as well, but from different positions."""
     possible = possible_pixel_aspects((640, 640))
-    bad = replace(SEEN, coverage=0.4, explained=0.3)
-    suits = {16 / 9: [SEEN, SEEN, SEEN], 4 / 3: [SEEN, bad, None], 1.0: [SEEN, bad, bad]}
-    found = most_probable_aspect(possible, [suits[one.value] for one in possible])
+    moved = {16 / 9: 0.01, 4 / 3: 1.0, 1.0: 2.0}
+    samples = [
+        [AspectSample(SEEN, np.array([moved[one.value] * n, 60, -16])) for n in range(4)]
+        for one in possible
+    ]
+    found = most_probable_aspect(possible, samples)
     assert found.value == 16 / 9
     assert found.probability > 0.99
     assert possible_pixel_aspects((1920, 1080)) == (SQUARE_PIXELS,)
