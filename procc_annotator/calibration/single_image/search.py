@@ -324,20 +324,24 @@ def search_cameras(
 def _search_round(scene: SearchScene, vectors: FloatArray, stage: SearchStage) -> RankedCameras:
     vectors = np.concatenate([vectors, *(_dolly_zoom(vectors, share) for share in stage.away)])
     for _ in range(stage.rounds):
-        vectors = refine_by_icp(
-            scene,
-            vectors,
-            stage.scales_px,
-            places=stage.places,
-            paint=stage.paint,
-            model=stage.model,
-        )
+        vectors = _refined(scene, vectors, stage)
     found = rank_cameras(scene, vectors, stage)
     order = np.argsort(-found.scores, kind="stable")
     most = min(stage.kept, max(len(order) // _CANCEL_CHECK_INTERVAL, 1))
     if not stage.apart_px:
         return found.chosen(order[:most])
     return found.chosen(_distinct_cameras(scene, vectors, order, stage.apart_px, most))
+
+
+def _refined(scene: SearchScene, vectors: FloatArray, stage: SearchStage) -> FloatArray:
+    return refine_by_icp(
+        scene,
+        vectors,
+        stage.scales_px,
+        places=stage.places,
+        paint=stage.paint,
+        model=stage.model,
+    )
 
 
 def _dolly_zoom(vectors: FloatArray, share: float) -> FloatArray:
@@ -365,14 +369,7 @@ def with_hypothesis(scene: SearchScene, found: RankedCameras, vector: FloatArray
     """The cameras that were found and one (11,) more, led to the paint like them."""
     vectors = vector[None]
     for stage in SEARCH_STAGES_KNOWN:
-        vectors = refine_by_icp(
-            scene,
-            vectors,
-            stage.scales_px,
-            places=stage.places,
-            paint=stage.paint,
-            model=stage.model,
-        )
+        vectors = _refined(scene, vectors, stage)
     more = rank_cameras(scene, vectors)
     scores = np.concatenate([found.scores, more.scores])
     every = RankedCameras(np.concatenate([found.vectors, vectors]), scores, found.ends)
