@@ -24,12 +24,12 @@ from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
     insufficient_reason,
 )
+from procc_annotator.calibration.optimization.covariance import parameter_covariance, point_error_sd
 from procc_annotator.calibration.optimization.initialization import camera_side, wide_prior
 from procc_annotator.calibration.optimization.lens_models import (
     fit_wide_angle,
     is_cropped,
     is_negative_k1_supported,
-    k1_variance,
     refine_wide_angle,
     single_coefficient_vector,
     try_cropped,
@@ -166,7 +166,7 @@ def select_model(
     found = try_wide_angle(fits["R+"], scene)
     if found is not None:
         return _wide_angle_result(*found, fits["R+"], field, frame, warm=False)
-    error_px = fits["R+"].noise.counted_px
+    error_px = point_error_sd(fits["R+"])
     evidence = {model: _log_evidence(found, error_px) for model, found in fits.items()}
     likely = [m for m, found in fits.items() if _is_plausible(found, scene)] or list(fits)
     chosen = max(likely, key=lambda model: evidence[model])
@@ -275,21 +275,23 @@ def _is_acceptable_start_fit(found: CameraSolution, scene: FitScene) -> bool:
 def _has_significant_k1(found: CameraSolution) -> bool:
     """Return whether the radial coefficient is so many deviations from 0 that it need not be
     compared."""
-    deviation = found.error_px * math.sqrt(k1_variance(found))
+    error_px = point_error_sd(found)
+    deviation = math.sqrt(parameter_covariance(found, error_px)[KAPPA, KAPPA])
     return bool(abs(found.vector[KAPPA]) > _CLEAR_SIGNIFICANCE_SD * deviation)
 
 
 def _log_evidence(found: CameraSolution, error_px: float) -> float:
     """Logarithm of the evidence, less what all models share."""
     precision = found.prior.inverse_sd[0]
-    data_cost = float(found.solution.costs[0]) - found.prior_cost(found.error_px)
-    prior_cost = found.prior_cost(error_px)
+    off = (found.vector[: len(precision)] - found.prior.mean[0]) * precision
+    prior_cost = float(off @ off) / 2
+    data_cost = (float(found.solution.costs[0]) - prior_cost) / error_px**2
     information = found.solution.normal[0] / error_px**2 + np.diag(precision**2)
     # Pan and tilt have no prior; whatever theirs is, all models share it.
     sharpened = np.linalg.slogdet(information)[1] / 2 - np.log(precision[precision > 0]).sum()
     # The prior of the radial coefficient has its mass on one side.
     one_sided = math.log(2.0) if len(precision) > KAPPA else 0.0
-    return one_sided - (data_cost + prior_cost) / error_px**2 - float(sharpened)
+    return one_sided - data_cost - prior_cost - float(sharpened)
 
 
 def _choice_reason(chosen: str, fits: dict[str, CameraSolution], frame: ImageFrame) -> str:

@@ -27,21 +27,14 @@ from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
 )
 from procc_annotator.calibration.optimization.covariance import (
+    estimate_element_offsets,
     is_opposite_end_possible,
     max_direction_sd,
     parameter_covariance,
+    point_error_sd,
     projected_covariance,
 )
-from procc_annotator.calibration.optimization.noise import (
-    NEW_ELEMENT_VARIANCE,
-    SHARED_SD_M,
-    SHARED_SD_PX,
-)
-from procc_annotator.calibration.optimization.observations import (
-    REFERENCE_WIDTH,
-    ImageFrame,
-    used_point_indices,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, used_point_indices
 from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
 from procc_annotator.calibration.optimization.robust_fit import OUTLIER_PX, CameraSolution
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
@@ -124,7 +117,8 @@ class FitResult:
         deviations: of the pose; None for a homography.
         error_px: standard deviation of a point across its element, px of the picture.
         parameters: names of the n free parameters.
-        covariance: (n, n) of those, in the units of `camera_parameters`.
+        covariance: (n, n) of those, in the units of `fit.models`: what the noise of the clicks
+            leaves open, and what elements that lie next to the model as a whole do to it.
         warm: whether the camera was found from the start that was given.
         vector: (11,) the solver's parameters of a pinhole, (13,) of a strong lens, or (8,)
             corrections of `basis`.
@@ -132,8 +126,9 @@ class FitResult:
         chosen_because: why this model, in a sentence; None if it was asked for.
         other_end: whether the points may as well be seen from the other end of the field, half a
             turn about its centre; standard deviations say nothing of that.
-        shared: standard deviation of what all points of an element share, in units of
-            `SHARED_SD_M` and `SHARED_SD_PX`; see `calibration.optimization.noise`.
+        offset_px: standard deviation of what an element lies next to the model by, all its points
+            together, px of the picture; see `calibration.optimization.covariance`.
+        of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
         fitted_on: `annotation_digest` of what it was fitted to, where that is kept.
     """
 
@@ -151,7 +146,8 @@ class FitResult:
     basis: FloatArray | None = None
     chosen_because: str | None = None
     other_end: bool = False
-    shared: float = 0.0
+    offset_px: float = 0.0
+    of_clicks: FloatArray | None = None
     fitted_on: str | None = None
 
     @property
@@ -202,31 +198,6 @@ class FitResult:
         squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
         return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
 
-    def annotated_sd(self, points_world: FloatArray, normals: FloatArray) -> FloatArray:
-        """Standard deviation of where elements are annotated that took no part: of the camera, of
-        what all points of such an element share, and of a click.
-
-        Args:
-            points_world: (N, 3) metres, world frame.
-            normals: (N, 2) unit vectors in the picture, the directions in question.
-
-        Returns:
-            (N,) px; NaN as for `projected_covariance`.
-        """
-        assert self.camera is not None  # for callers to check
-        per_px = (self.size[0] - 1) / (REFERENCE_WIDTH - 1)
-        here = self.camera.project(points_world)[0]
-        squares = self.projected_sd(points_world, normals) ** 2 + (self.error_px or 0.0) ** 2
-        shared = NEW_ELEMENT_VARIANCE * self.shared**2
-        squares += shared * (SHARED_SD_PX * per_px) ** 2
-        for step in _DISPLACEMENT_M * np.eye(3)[:2]:
-            moved = self.camera.project(points_world + step)[0] - here
-            across = (moved * normals).sum(axis=1) / _DISPLACEMENT_M
-            squares += shared * (SHARED_SD_M * across) ** 2
-        return np.asarray(np.sqrt(squares))
-
-
-_DISPLACEMENT_M = 0.01  # for derivatives by differences
 
 # Standard deviations beyond which a camera is hardly determined: about twice what the worst of the
 # 186 frames of World Cup 2014 have (model R: 0.32 degrees, 4.4 % of the way to the centre of the
@@ -297,10 +268,10 @@ _ASSUMED_SD_PX = 1.5
 
 @dataclass(frozen=True, eq=False)
 class ExternalCameraFit(FitResult):
-    """A camera that was not fitted: elements are annotated within `error_px` of it."""
+    """A fit no one made: every element may lie next to the camera as a whole, by the same."""
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
-        """(N, 2, 2) px squared: none."""
+        """(N, 2, 2) px squared: none but that of `offset_px`."""
         return np.zeros((len(points_world), 2, 2))
 
 
@@ -313,7 +284,7 @@ def external_camera_fit(
         camera: in px of the picture.
         size: (width, height) px.
     """
-    return ExternalCameraFit("given", size, camera, error_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)
+    return ExternalCameraFit("given", size, camera, offset_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)
 
 
 # Farther off than this on the median element, a camera explains nothing.
@@ -336,7 +307,10 @@ def fit_result_from(
     problem = _failure_reason(found, field)
     if problem is not None:
         return FitResult(model, frame.size, None, problem)
-    covariance = parameter_covariance(found)
+    error_px = point_error_sd(found)
+    of_clicks = parameter_covariance(found, error_px)
+    offsets = estimate_element_offsets(found, frame, error_px)
+    covariance = of_clicks + offsets.covariance(of_clicks)
     camera: PinholeCamera | HomographyCamera | FisheyeCamera
     if found.basis is not None:
         matrix = homographies_from_corrections(found.vector[None], found.basis)[0]
@@ -354,14 +328,15 @@ def fit_result_from(
         None,
         _element_residuals(found, frame),
         deviations,
-        found.noise.click_px / frame.scale,
+        error_px / frame.scale,
         names,
         covariance,
         warm,
         found.vector,
         found.basis,
         other_end=is_opposite_end_possible(found, field, frame),
-        shared=found.noise.shared,
+        offset_px=offsets.sd_px / frame.scale,
+        of_clicks=of_clicks,
     )
 
 

@@ -12,12 +12,6 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import fit_camera
-from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE
-from procc_annotator.calibration.optimization.noise import (
-    NEW_ELEMENT_VARIANCE,
-    SHARED_SD_M,
-    SHARED_SD_PX,
-)
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import (
     Residuals,
@@ -37,20 +31,17 @@ FRAME = ImageFrame((960, 540))
 )
 def test_held_out_points_in_their_bands(benchmark, world_cup, model, least):
     def run() -> dict[str, float]:
-        shares: dict[str, list[FloatArray]] = {"camera": [], "ghost": []}
+        shares: dict[str, list[FloatArray]] = {"clicks": [], "camera": [], "ghost": []}
         for annotation in world_cup:
             for fit, off in _held_out(annotation, model):
                 both = np.stack([np.ones_like(off.whole[0]), off.whole[0]])
-                slopes = off.derivatives[0]
-                camera = np.einsum("pkn,pq,qkn->kn", slopes, fit.covariance, slopes)
-                placed = np.zeros_like(camera)
-                if fit.basis is None:  # an element that moves is a camera that moves the other way
-                    placed = SHARED_SD_M**2 * (slopes[POSITION_SLICE][:2] ** 2).sum(axis=0)
-                shared = NEW_ELEMENT_VARIANCE * fit.shared**2 * (placed + SHARED_SD_PX**2)
-                for name, squares in (
-                    ("camera", camera),
-                    ("ghost", camera + shared + fit.error_px**2),
+                for name, covariance, offset in (
+                    ("clicks", fit.of_clicks, 0.0),
+                    ("camera", fit.covariance, 0.0),
+                    ("ghost", fit.covariance, fit.offset_px),
                 ):
+                    slopes = off.derivatives[0]
+                    squares = np.einsum("pkn,pq,qkn->kn", slopes, covariance, slopes) + offset**2
                     shares[name].append((off.values[0] ** 2 <= 1.96**2 * squares)[both])
         return {name: float(np.concatenate(held).mean()) for name, held in shares.items()}
 

@@ -25,21 +25,22 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     lower_bounded_parameter,
 )
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
+from procc_annotator.calibration.optimization.covariance import estimate_element_offsets
 from procc_annotator.calibration.optimization.initialization import (
     initial_cameras_at_position,
     prior_near,
 )
-from procc_annotator.calibration.optimization.noise import MIN_COUNTED_PX
 from procc_annotator.calibration.optimization.observations import (
     ImageFrame,
     Observations,
     build_observations,
 )
 from procc_annotator.calibration.optimization.residuals import (
-    PRIOR_CLICK_SD_PX,
     Residuals,
+    estimate_click_sd,
     linear_map,
     pinhole_residuals,
+    residual_components,
     whitened,
 )
 from procc_annotator.calibration.optimization.robust_fit import CameraSolution
@@ -114,7 +115,6 @@ def reduce_frame(
     weights: FloatArray,
     prior: GaussianPrior,
     own: NDArray[np.intp],
-    error_px: float,
 ) -> ReducedFrame:
     """A frame with its best camera, its own parameters taken out.
 
@@ -124,19 +124,17 @@ def reduce_frame(
         weights: (N,) of the points; 0 for those that have no say.
         prior: on the camera.
         own: (n,) its own parameters, as indices of ``vector``.
-        error_px: standard deviation of a point, that the prior is weighed with, solver px.
     """
     costs, robust = FINAL_LOSS.cost_and_weight(residuals.distances[0])
-    inverse = prior.inverse_sd[0, own] * error_px
+    inverse = prior.inverse_sd[0, own]
     off = (vector[own] - prior.mean[0, own]) * inverse
     shared = residuals.derivatives.shape[1] - len(own)
     gradient, normal = schur_complement(
         residuals, robust * weights, off * inverse, np.diag(inverse**2), shared
     )
     cost = float(costs @ weights) + float(off @ off) / 2
-    values, counted = residuals.values[0], weights > 0
-    components = np.concatenate([values[0, counted], values[1, counted & residuals.whole[0]]])
-    return ReducedFrame(vector, cost, gradient, normal, components, len(own))
+    own_components = residual_components(residuals.values[0], residuals.whole[0], weights > 0)
+    return ReducedFrame(vector, cost, gradient, normal, own_components, len(own))
 
 
 def unbounded_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
@@ -246,14 +244,9 @@ def _summed_normal_matrix(profiles: Sequence[ReducedFrame]) -> FloatArray:
     return np.asarray(np.sum([p.normal for p in profiles], axis=0))
 
 
-_MAX_NOISE_PX, _PRIOR_WEIGHT = 4.5, 10.0  # more is a mistake; residuals that the prior is worth
-
-
 def _pooled_click_sd(profiles: Sequence[ReducedFrame], shared: int) -> float:
-    every = np.concatenate([p.components for p in profiles]).clip(-_MAX_NOISE_PX, _MAX_NOISE_PX)
-    spare = max(len(every) - sum(p.own for p in profiles) - shared, 0)
-    squares = float(every @ every) + _PRIOR_WEIGHT * PRIOR_CLICK_SD_PX**2
-    return float(np.sqrt(squares / (_PRIOR_WEIGHT + spare)))
+    every = np.concatenate([p.components for p in profiles])
+    return estimate_click_sd(every, sum(p.own for p in profiles) + shared)
 
 
 def _shared_covariance(
@@ -301,7 +294,6 @@ class FrameObservations:
         frame: the picture.
         model: P, R or R+.
         vector: (11,) its camera, or what to start from.
-        error_px: standard deviation of a point, solver px.
     """
 
     seen: Observations
@@ -309,7 +301,6 @@ class FrameObservations:
     frame: ImageFrame
     model: str
     vector: FloatArray
-    error_px: float = MIN_COUNTED_PX
 
     @cached_property
     def kept(self) -> Observations:
@@ -329,13 +320,12 @@ def frame_observations(
     """
     frame = ImageFrame(fit.size)
     seen = build_observations(annotation, field, frame)
-    if seen is None or fit.vector is None or fit.error_px is None:
+    if seen is None or fit.vector is None:
         raise ValueError("a failed fit has no camera")
     out = set(fit.left_out)
     left_out = np.array([element.name in out for element in seen.elements])
     seen = whitened(seen, linear_map(fit.vector))
-    error_px = max(fit.error_px * frame.scale, MIN_COUNTED_PX)
-    return FrameObservations(seen, left_out, frame, fit.model, fit.vector, error_px)
+    return FrameObservations(seen, left_out, frame, fit.model, fit.vector)
 
 
 def prior_at_position(
@@ -419,15 +409,19 @@ def _fit_at_position(
     loss: RobustLoss,
     tolerance: float,
 ) -> CameraSolution:
-    free, error_px = FREE_PARAMETERS[sighting.model], sighting.error_px
+    free = FREE_PARAMETERS[sighting.model]
     vectors = starts.copy()
     vectors[:, free:FISHEYE_FLAG] = 0.0
-    residuals = partial(pinhole_residuals, half_diagonal=sighting.frame.half_diagonal, free=free)
     problem = Problem(
-        partial(residuals, seen=sighting.kept),
+        partial(
+            pinhole_residuals,
+            seen=sighting.kept,
+            half_diagonal=sighting.frame.half_diagonal,
+            free=free,
+        ),
         sighting.kept.weights,
         loss,
-        GaussianPrior(prior.mean, prior.inverse_sd * error_px),
+        prior,
         bounded=lower_bounded_parameter(vectors),
     )
     found = solve(problem, vectors, iterations=20, tolerance=tolerance)
@@ -435,9 +429,7 @@ def _fit_at_position(
     only = found.chosen(np.array([best]))
     vector = found.vectors[best].copy()
     vector[POSITION_PARAMETERS] = position  # the same to the last digit in all frames
-    return CameraSolution(
-        vector, only, prior, residuals, error_px, sighting.seen, sighting.left_out
-    )
+    return CameraSolution(vector, only, prior, sighting.seen, sighting.left_out)
 
 
 def profile_at_position(
@@ -450,8 +442,7 @@ def profile_at_position(
     own = frame_parameters(vector, free)
     order = np.concatenate([POSITION_PARAMETERS, own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
-    weights = sighting.kept.weights
-    return reduce_frame(vector, ordered, weights, found.prior, own, sighting.error_px)
+    return reduce_frame(vector, ordered, sighting.kept.weights, found.prior, own)
 
 
 def frame_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
@@ -471,18 +462,20 @@ def fit_result_at_position(
         covariance: (3, 3) of the position, metres squared.
     """
     result = fit_result_from(found, field, sighting.frame, sighting.model, False)
-    if result.covariance is None or result.deviations is None:
+    if result.camera is None or result.error_px is None or result.deviations is None:
         return result
     free = FREE_PARAMETERS[sighting.model]
     own = np.setdiff1d(np.arange(free), POSITION_PARAMETERS)
-    precision = np.diag((found.error_px * found.prior.inverse_sd[0]) ** 2)
-    normal = found.solution.normal[0] + precision
+    error_px = result.error_px * sighting.frame.scale
+    information = found.solution.normal[0] / error_px**2 + np.diag(found.prior.inverse_sd[0] ** 2)
+    alone = np.linalg.inv(information[np.ix_(own, own)])
     # How the camera's own parameters follow the position.
-    follow = -np.linalg.solve(normal[np.ix_(own, own)], normal[np.ix_(own, POSITION_PARAMETERS)])
-    by_position = np.zeros((free, 3))
+    follow = -alone @ information[np.ix_(own, POSITION_PARAMETERS)]
+    by_position, at_place = np.zeros((free, 3)), np.zeros((free, free))
     by_position[POSITION_PARAMETERS], by_position[own] = np.eye(3), follow
-    at_place = np.zeros((free, free))
-    at_place[np.ix_(own, own)] = result.covariance[np.ix_(own, own)]
-    full = at_place + by_position @ covariance @ by_position.T
+    at_place[np.ix_(own, own)] = alone
+    of_clicks = at_place + by_position @ covariance @ by_position.T
+    offsets = estimate_element_offsets(found, sighting.frame, error_px)
+    full = of_clicks + offsets.covariance(at_place)
     deviations = pose_deviations(found.vector, full, sighting.frame)
-    return replace(result, covariance=full, deviations=deviations)
+    return replace(result, covariance=full, of_clicks=of_clicks, deviations=deviations)

@@ -40,12 +40,7 @@ from procc_annotator.calibration.optimization.residuals import (
     project_out_tangent,
     with_folded_hidden,
 )
-from procc_annotator.calibration.optimization.solver import (
-    FINAL_LOSS,
-    GaussianPrior,
-    Problem,
-    solve,
-)
+from procc_annotator.calibration.optimization.solver import FINAL_LOSS, Problem, solve
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.errors import UsageError
 from procc_annotator.field.dimensions import Dimension, violated_relation
@@ -406,12 +401,12 @@ def _reduce_frame_by_dimensions(
     free, half = FREE_PARAMETERS[sighting.model], sighting.frame.half_diagonal
     around = camera_placement_prior(field)
     kept = sighting.kept
-    prior, error_px = prior_near(sighting.vector, around, free), sighting.error_px
+    prior = prior_near(sighting.vector, around, free)
     problem = Problem(
         partial(pinhole_residuals, seen=kept, half_diagonal=half, free=free),
         kept.weights,
         FINAL_LOSS,
-        GaussianPrior(prior.mean, prior.inverse_sd * error_px),
+        prior,
         bounded=lower_bounded_parameter(sighting.vector),
     )
     vector = solve(problem, sighting.vector[None], iterations=20, tolerance=1e-5).vectors[0]
@@ -420,7 +415,7 @@ def _reduce_frame_by_dimensions(
     count = len(rates.line_ends)
     order = np.concatenate([np.arange(count), count + own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
-    return reduce_frame(vector, ordered, kept.weights, prior, own, error_px)
+    return reduce_frame(vector, ordered, kept.weights, prior, own)
 
 
 def _build_stadium_fit(

@@ -290,6 +290,7 @@ def fit_from_covariance(
         covariance,
         True,
         vector,
+        of_clicks=covariance,
     )
 
 

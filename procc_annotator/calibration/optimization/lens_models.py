@@ -24,6 +24,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
 )
+from procc_annotator.calibration.optimization.covariance import point_error_sd
 from procc_annotator.calibration.optimization.initialization import (
     CENTRE_SD,
     CROPPED_CENTRE_SD,
@@ -82,8 +83,8 @@ def is_negative_k1_supported(found: CameraSolution) -> bool:
     by how surely its coefficient is not 0; true of a camera without."""
     if found.vector[KAPPA] >= 0:
         return True
-    saved = float(found.vector[KAPPA]) ** 2 / k1_variance(found) / 2
-    return saved > _NEGATIVE_K1_EVIDENCE * found.noise.counted_px**2
+    saved = float(found.vector[KAPPA]) ** 2 / _k1_variance(found) / 2
+    return saved > _NEGATIVE_K1_EVIDENCE * point_error_sd(found) ** 2
 
 
 def _explains_more(
@@ -100,9 +101,8 @@ def _explains_more(
     """
     if implausible_reason(other.vector, scene.around):
         return False
-    error_px = other.noise.counted_px
-    saved = found.robust_cost(error_px) - other.robust_cost(error_px)
-    clearly = saved > evidence * error_px**2
+    saved = found.robust_cost - other.robust_cost
+    clearly = saved > evidence * point_error_sd(other) ** 2
     return bool(clearly and other.left_out.sum() <= found.left_out.sum())
 
 
@@ -149,13 +149,12 @@ def _predicted_gain(found: CameraSolution, scene: FitScene) -> float:
     slope = float((weighted[KAPPA] * at.values[0]).sum())
     if slope <= 0:
         return 0.0
-    return slope**2 * k1_variance(found) / 2 / found.noise.counted_px**2
+    return slope**2 * _k1_variance(found) / 2 / point_error_sd(found) ** 2
 
 
-def k1_variance(found: CameraSolution) -> float:
-    """Of the coefficient, the other parameters following it, in squares of the error of a point."""
-    precision = (found.error_px * found.prior.inverse_sd[0]) ** 2
-    normal = found.solution.normal[0] + np.diag(precision)
+def _k1_variance(found: CameraSolution) -> float:
+    """Of the coefficient, the other parameters following it, where points have an error of 1 px."""
+    normal = found.solution.normal[0] + np.diag(found.prior.inverse_sd[0] ** 2)
     return float(np.linalg.inv(normal)[KAPPA, KAPPA])
 
 
@@ -308,8 +307,7 @@ def try_wide_angle(found: CameraSolution, scene: FitScene) -> tuple[CameraSoluti
     fisheye = fit_wide_angle(scene, "F", found)
     fits = (fit_wide_angle(scene, "R2", found, fisheye), "R2"), (fisheye, "F")
     better = [fit for fit in fits if wide_angle_explains_more(fit[0], found, scene)]
-    error_px = min((fit[0].noise.counted_px for fit in better), default=1.0)
-    return min(better, key=lambda fit: fit[0].robust_cost(error_px), default=None)
+    return min(better, key=lambda fit: fit[0].robust_cost, default=None)
 
 
 def wide_angle_explains_more(

@@ -41,6 +41,21 @@ class Residuals:
     along: FloatArray
 
 
+def residual_components(
+    values: FloatArray, whole: NDArray[np.bool_], counted: NDArray[np.bool_]
+) -> FloatArray:
+    """The single numbers that N residuals are made of, one or two each.
+
+    Args:
+        values, whole: (2, N) and (N,) of one camera's `Residuals`.
+        counted: (N,) which of the points to take.
+
+    Returns:
+        (M,) solver px.
+    """
+    return np.concatenate([values[0, counted], values[1, counted & whole]])
+
+
 def pinhole_residuals(
     vectors: FloatArray,
     seen: Observations | BatchedObservations,
@@ -214,8 +229,33 @@ def project_out_tangent(
     return Residuals(values, found, distances, other, moved)
 
 
-# What a click is off by where nothing is known of the frame.
-PRIOR_CLICK_SD_PX = 0.7
+# What a click is off by where the points cannot say, and how many residuals that belief is worth.
+PRIOR_CLICK_SD_PX = 1.5
+_CLICK_SD_PRIOR_WEIGHT = 10.0
+MAX_NOISE_RESIDUAL_PX = (
+    3 * PRIOR_CLICK_SD_PX
+)  # more is a mistake, and says nothing of what clicks are usually off
+
+
+def estimate_click_sd(components: FloatArray, parameters: int) -> float:
+    """Standard deviation of a point across its element, and of a spot along each axis, solver px.
+
+    The residuals' own, drawn towards 1.5 px where there are few of them: a fit to three elements
+    has hardly any residual left, whatever its points are worth.
+
+    Args:
+        components: (M,) solver px, of the points that have a say: one of a point across its
+            element, two of a spot and of a true end.
+        parameters: how many were fitted to them.
+    """
+    squares = float((np.clip(components, -MAX_NOISE_RESIDUAL_PX, MAX_NOISE_RESIDUAL_PX) ** 2).sum())
+    spare = max(len(components) - parameters, 0)
+    return float(
+        np.sqrt(
+            (_CLICK_SD_PRIOR_WEIGHT * PRIOR_CLICK_SD_PX**2 + squares)
+            / (_CLICK_SD_PRIOR_WEIGHT + spare)
+        )
+    )
 
 
 def whitened(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, partial
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,6 @@ from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
     KAPPA,
-    POSITION_SLICE,
     homography_from_pinhole,
     lower_bounded_parameter,
     rotated_180,
@@ -32,18 +31,14 @@ from procc_annotator.calibration.optimization.initialization import (
     side_costs,
     wide_prior,
 )
-from procc_annotator.calibration.optimization.noise import (
-    HUBER_SD,
-    MIN_COUNTED_PX,
-    PointNoise,
-    estimate_noise,
-)
 from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
 from procc_annotator.calibration.optimization.residuals import (
     Residuals,
+    estimate_click_sd,
     homography_residuals,
     linear_map,
     pinhole_residuals,
+    residual_components,
     unwhitened,
     whitened,
 )
@@ -53,7 +48,6 @@ from procc_annotator.calibration.optimization.solver import (
     SEARCH_LOSS,
     GaussianPrior,
     Problem,
-    RobustLoss,
     Solution,
     SolveRequest,
     solve,
@@ -68,11 +62,6 @@ MIN_ELEMENTS = 3
 # A camera known before is looked for anew when the points no longer fit it.
 _STALE_ELEMENT_SHARE, _STALE_PX = 1 / 3, 5.0
 
-# A camera is solved anew where its points are off by more, or less, than this (of the logarithm).
-_SETTLED_LOG = 0.2
-_NOISE_ROUNDS, _AGAIN_TOLERANCE = 3, 1e-3
-_DISPLACEMENT_M = 0.01  # for derivatives by differences
-
 # Times that the weight of an uncertain spot is computed anew from the camera that was found with
 # it.
 _WHITENING_ROUNDS = 3
@@ -86,8 +75,6 @@ class CameraSolution:
         vector: (11,) parameters of a pinhole, or (8,) corrections of a homography.
         solution: of the final stage, one camera.
         prior: of the final stage.
-        residuals: (B, n) parameters, observations -> residuals.
-        error_px: standard deviation of a point that the prior was weighed with, solver px.
         seen: the points it was fitted to.
         left_out: (E,) elements taken for mistakes.
         basis: (3, 3) homography that is corrected; None for a pinhole.
@@ -96,8 +83,6 @@ class CameraSolution:
     vector: FloatArray
     solution: Solution
     prior: GaussianPrior
-    residuals: Callable[..., Residuals]
-    error_px: float
     seen: Observations
     left_out: NDArray[np.bool_]
     basis: FloatArray | None = None
@@ -113,41 +98,20 @@ class CameraSolution:
         x, y = unwhitened(self.solution.values[0], self.seen)
         return np.asarray(np.hypot(x, y))
 
-    @cached_property
-    def noise(self) -> PointNoise:
-        """Noise of the points with a say, as this camera shows it."""
-        kept = self.seen.with_excluded(self.left_out)
-        found = self.residuals(self.vector[None], seen=kept)
-        if self.basis is None:
-            # An element that moves is a camera that moves the other way.
-            displacements = found.derivatives[0, POSITION_SLICE][:2]
-        else:
-            moved = []
-            for axis in range(2):
-                shift = np.eye(3)
-                shift[axis, 2] = _DISPLACEMENT_M
-                there = self.residuals(self.vector[None], seen=kept, basis=self.basis @ shift)
-                moved.append((there.values[0] - found.values[0]) / _DISPLACEMENT_M)
-            displacements = np.array(moved)
-        off = self.prior.mean[0] - self.vector[: self.prior.mean.shape[1]]
-        return estimate_noise(found, displacements, kept, off, self.prior.inverse_sd[0])
+    @property
+    def components(self) -> FloatArray:
+        """(M,) solver px: the numbers that the residuals of the points with a say are made of."""
+        counted = ~self.left_out[self.seen.element_of_point]
+        return residual_components(self.solution.values[0], self.solution.whole[0], counted)
 
-    def prior_cost(self, error_px: float) -> float:
-        """Cost of the prior where a point has this standard deviation, px^2."""
+    @property
+    def robust_cost(self) -> float:
+        """Cost of all points, those of the elements it leaves out too, and of the prior, px^2."""
         off = (self.vector[: self.prior.mean.shape[1]] - self.prior.mean[0]) * (
             self.prior.inverse_sd[0]
         )
-        return float(off @ off) * error_px**2 / 2
-
-    def robust_cost(self, error_px: float) -> float:
-        """Cost of all points, those of the elements it leaves out too, and of the prior, px^2."""
         losses = ROBUST_LOSS.cost_and_weight(self.distances)[0]
-        return float(losses @ self.seen.weights) + self.prior_cost(error_px)
-
-    @property
-    def is_settled(self) -> bool:
-        """Return whether the prior was weighed by what the points turned out to be off by."""
-        return bool(abs(np.log(self.noise.counted_px / self.error_px)) < _SETTLED_LOG)
+        return float(losses @ self.seen.weights + off @ off / 2)
 
     @property
     def is_consistent(self) -> bool:
@@ -204,7 +168,9 @@ def final_fits(starts: Sequence[FinalStart]) -> list[CameraSolution]:
     ]
     solutions = iter(solve_all(requests))
     return [
-        final_fit(*start, first=next(solutions) if start[0].spreads is None else None)
+        CameraSolution((final := next(solutions)).vectors[0], final, start[4], start[0], start[2])
+        if start[0].spreads is None
+        else final_fit(*start)
         for start in starts
     ]
 
@@ -216,9 +182,8 @@ def final_fit(
     residuals: Callable[..., Residuals],
     prior: GaussianPrior,
     basis: FloatArray | None = None,
-    first: Solution | None = None,
 ) -> CameraSolution:
-    """The best camera for the elements that are believed, and their noise.
+    """The best camera for the elements that are believed.
 
     Args:
         seen: N points.
@@ -227,27 +192,19 @@ def final_fit(
         residuals: (B, n) parameters, observations -> residuals.
         prior: on the free parameters.
         basis: (3, 3) homography that is corrected; None for a pinhole.
-        first: of `final_request`, where it is solved already.
 
     Spots that are not known exactly are softened by the camera that comes out.
     """
     bounded = None if basis is not None else lower_bounded_parameter(vectors)
-    error_px, tolerance = MIN_COUNTED_PX, 1e-5
-    for _ in range(_WHITENING_ROUNDS if seen.spreads is not None else _NOISE_ROUNDS):
-        request = final_request(
-            seen, vectors, left_out, residuals, prior, bounded=bounded, tolerance=tolerance,
-            error_px=error_px,
-        )  # fmt: skip
-        final = first or solve_request(request)
-        found = CameraSolution(
-            final.vectors[0], final, prior, residuals, error_px, seen, left_out, basis
-        )
-        if seen.spreads is None and found.is_settled:
-            break
-        first, vectors, error_px = None, final.vectors, found.noise.counted_px
+    for _ in range(_WHITENING_ROUNDS):
+        request = final_request(seen, vectors, left_out, residuals, prior, bounded=bounded)
+        final = solve_request(request)
+        found = CameraSolution(final.vectors[0], final, prior, seen, left_out, basis)
         if seen.spreads is None:
-            tolerance = _AGAIN_TOLERANCE
-        seen = whitened(seen, linear_map(found.vector, basis), found.noise.click_px)
+            break
+        error_px = estimate_click_sd(found.components, prior.mean.shape[1])
+        seen = whitened(seen, linear_map(found.vector, basis), error_px)
+        vectors = final.vectors
     return found
 
 
@@ -262,17 +219,11 @@ def final_request(
     held: NDArray[np.bool_] | None = None,
     iterations: int = 20,
     tolerance: float = 1e-5,
-    error_px: float = MIN_COUNTED_PX,
 ) -> SolveRequest:
-    """One descent of (B, n) parameters on the points of the elements that are believed, whose
-    standard deviation weighs the prior against them."""
+    """One descent of (B, n) parameters on the points of the elements that are believed."""
     kept = seen.with_excluded(left_out)
     look = partial(residuals, seen=kept)
-    weighed = GaussianPrior(prior.mean, prior.inverse_sd * error_px)
-    loss = FINAL_LOSS
-    if error_px > MIN_COUNTED_PX:
-        loss = RobustLoss("huber", HUBER_SD * error_px)
-    problem = Problem(look, kept.weights, loss, weighed, bounded=bounded, held=held)
+    problem = Problem(look, kept.weights, FINAL_LOSS, prior, bounded=bounded, held=held)
     return SolveRequest(problem, vectors, iterations=iterations, tolerance=tolerance)
 
 
@@ -301,30 +252,24 @@ def fit_models(
     prior = GaussianPrior(
         np.concatenate([one.mean for one in rows]), np.concatenate([one.inverse_sd for one in rows])
     )
-    seen, residuals = whitened(scene.seen, linear_map(vector)), scene.residuals(most)
-    error_px, tolerance = MIN_COUNTED_PX, 1e-4
-    for _ in range(_NOISE_ROUNDS):
-        request = final_request(
-            seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=tolerance,
-            error_px=error_px,
-        )  # fmt: skip
-        found = solve_request(request)
-        fits = {}
-        for row, (model, own) in enumerate(zip(models, free.tolist(), strict=True)):
-            fits[model] = CameraSolution(
-                found.vectors[row],
-                found.only(row, own),
-                GaussianPrior(prior.mean[[row], :own], prior.inverse_sd[[row], :own]),
-                scene.residuals(own),
-                error_px,
-                seen,
-                left_out,
-            )
-        if fits[models[-1]].is_settled:
-            break
-        vectors, error_px = found.vectors, fits[models[-1]].noise.counted_px
-        tolerance = _AGAIN_TOLERANCE
-    return fits
+    seen = whitened(scene.seen, linear_map(vector))
+    request = final_request(
+        seen, vectors, left_out, scene.residuals(most), prior, held=fixed[:, :most], tolerance=1e-4
+    )
+    found = solve_request(request)
+    return {
+        model: CameraSolution(
+            found.vectors[row],
+            found.only(row, FREE_PARAMETERS[model]),
+            GaussianPrior(
+                prior.mean[[row], : FREE_PARAMETERS[model]],
+                prior.inverse_sd[[row], : FREE_PARAMETERS[model]],
+            ),
+            seen,
+            left_out,
+        )
+        for row, model in enumerate(models)
+    }
 
 
 _SEARCH_POINTS = 3  # points of an element that the search looks at

@@ -14,13 +14,11 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray
-from procc_annotator.calibration.optimization.camera_parameters import X, Y
 from procc_annotator.calibration.optimization.camera_placement import (
     CameraPlacementPrior,
     camera_placement_prior,
 )
 from procc_annotator.calibration.optimization.covariance import projected_jacobian
-from procc_annotator.calibration.optimization.noise import SHARED_SD_M, SHARED_SD_PX
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.prediction.ghosts import MIN_LENGTH_PX, classes_labelled_otherwise
 from procc_annotator.calibration.prediction.visible_elements import (
@@ -223,7 +221,7 @@ def suggest_annotations(
     Returns:
         Nothing without a camera: then there is no covariance to reason with.
     """
-    if fit.camera is None or fit.covariance is None or fit.error_px is None:
+    if fit.camera is None or fit.of_clicks is None or fit.error_px is None:
         return ()
     frame = ImageFrame(fit.size)
     shortest = MIN_LENGTH_PX / frame.scale
@@ -274,7 +272,7 @@ def _projection_sds_px(
         judged: (N, 3) metres, the places.
         clicks: of C elements, each for itself.
     """
-    assert fit.covariance is not None
+    assert fit.of_clicks is not None
     assert fit.error_px is not None
     derivatives = _projection_derivatives(
         fit, frame, np.concatenate([judged, *(c.world for c in clicks)])
@@ -282,25 +280,16 @@ def _projection_sds_px(
     rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
     # The mean over rows r of r C r' is the trace of C times the mean of r' r.
     spread = rows.T @ rows / len(rows)
-    information = np.linalg.inv(fit.covariance)
+    information = np.linalg.inv(fit.of_clicks)
     known = [information]
     begin = len(judged)
     for world, across, points in clicks:
         own = np.einsum("nk,nkp->np", across, derivatives[begin : begin + len(world)])
         begin += len(world)
-        shared = points * _shared_variance(own, fit)
-        weight = 1 / ((fit.error_px * frame.scale) ** 2 + shared)
+        weight = 1 / (np.sqrt(points) * (fit.error_px * frame.scale) ** 2)
         known.append(information + weight * own.T @ own)
     variances = np.einsum("cpq,qp->c", np.linalg.inv(np.array(known)), spread)
     return np.asarray(np.sqrt(variances) / frame.scale)
-
-
-def _shared_variance(own: FloatArray, fit: FitResult) -> float:
-    """Solver px squared: of what all points of an element share, by their derivatives (n, p)."""
-    placed = 0.0
-    if fit.basis is None:  # an element that moves is a camera that moves the other way
-        placed = float((own[:, [X, Y]] ** 2).sum(axis=1).mean()) * SHARED_SD_M**2
-    return fit.shared**2 * (placed + SHARED_SD_PX**2)
 
 
 def _simulate_clicks(field: Field, name: str, seen: list[VisibleStretch]) -> _SimulatedClicks:
@@ -339,9 +328,9 @@ def _rows_every(stretch: VisibleStretch, count: int) -> np.ndarray:
 
 
 def _projection_derivatives(fit: FitResult, frame: ImageFrame, world: FloatArray) -> FloatArray:
-    assert fit.covariance is not None
+    assert fit.of_clicks is not None
     assert fit.vector is not None
     derivatives, shown = projected_jacobian(
-        fit.vector, fit.basis, frame.half_diagonal, len(fit.covariance), world
+        fit.vector, fit.basis, frame.half_diagonal, len(fit.of_clicks), world
     )
     return np.where(shown[:, None, None], derivatives, 0.0)

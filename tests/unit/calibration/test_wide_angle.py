@@ -152,13 +152,13 @@ def test_what_it_says_of_itself_holds(model):
     shown, valid = camera.project(GROUND)
     inside = valid & (shown > 0).all(axis=1) & (shown < np.array(SIZE) - 1).all(axis=1)
     shares = []
-    for seed in range(8):
+    for seed in range(4):
         fit = fit_camera(clicks(camera, seed), COURT, model=model, start=camera)
         sd = fit.projected_sd(GROUND[inside])
         error = np.hypot(*(fit.camera.project(GROUND[inside])[0] - shown[inside]).T)
         shares.append((error < 2 * sd).mean())
         assert ill_conditioned_reason(fit) == ""
-    assert np.mean(shares) > 0.85
+    assert np.mean(shares) > 0.9
 
 
 @pytest.mark.parametrize("model", CAMERAS)

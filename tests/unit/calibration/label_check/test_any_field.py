@@ -304,7 +304,7 @@ def test_what_its_own_uncertainty_allows_is_no_mistake(field):
 def test_more_than_that_is_one(field):
     rng = np.random.default_rng(1)
     off = np.zeros((3, 3))
-    off[0] = (32.0, 0.0, -16.0)
+    off[0] = (20.0, 0.0, -10.0)
     (finding,) = check_fitted(landmark_clicks(field, rng), field_of(field, off))
     assert (finding.rule, finding.elements[0]) == (Rule.RESIDUAL, "Clock")
     assert "more than its own place is uncertain" in finding.reason
