@@ -16,11 +16,6 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
 from procc_annotator.batch.set_run import SetRun
 from procc_annotator.calibration.fitting import fit_camera
-from procc_annotator.calibration.optimization.camera_parameters import (
-    POSITION_SLICE,
-    vector_from_camera,
-)
-from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.single_image.pixel_aspect import (
     AspectSample,
     PixelAspect,
@@ -157,8 +152,7 @@ class WithPlugin:
     def __call__(
         self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
     ) -> Proposal:
-        size = (picture.shape[1], picture.shape[0])
-        hinted = _hypotheses(self.hints(picture, field), ImageFrame(size))
+        hinted = _hypotheses(self.hints(picture, field))
         return propose_camera(
             picture,
             field,
@@ -199,14 +193,13 @@ class WithPlugin:
         return ProccError(f"the proposer {self.name!r} cannot be used: {why}")
 
 
-def _hypotheses(cameras: Sequence[PinholeCamera], frame: ImageFrame) -> list[KnownPosition]:
+def _hypotheses(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
     """The cameras, of those at one position the first."""
     found: list[KnownPosition] = []
     for camera in cameras:
-        vector = vector_from_camera(camera, frame)
-        place = vector[POSITION_SLICE]
+        place = np.array(camera.position_world)
         if all(np.linalg.norm(place - other.position_m) > _SD_M for other in found):
-            found.append(KnownPosition(place, np.eye(3) * _SD_M**2, camera=vector))
+            found.append(KnownPosition(place, np.eye(3) * _SD_M**2, camera=camera))
     return found[:_MOST_POSITIONS]
 
 
@@ -336,8 +329,8 @@ def set_pixel_aspect(
         if len(own) == 1 or (possible and own != possible):
             return None
         possible, samples = own, samples or [[] for _ in own]
+        own_field = field_for_frame(field, frame.name)
         for aspect, of_pictures in zip(own, samples, strict=True):
-            own_field = field_for_frame(field, frame.name)
             best = found_camera(picture, own_field, aspect.value, go_on=go_on)
             of_pictures.append(best.sample if best else None)
         if most_probable_aspect(possible, samples).probability > _CERTAIN:

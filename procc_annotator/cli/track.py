@@ -52,9 +52,9 @@ and track.csv, a row a frame: shot (its first frame), state (anchor; followed on
 the picture's motion, where too little paint is seen; lost), the reason, coverage (share of the
 visible model on paint), residual in px, standard deviations, frames to the nearest anchor.
 
-The cameras and rows of a shot are written when it is done. A run that was interrupted is started
-again to go on: shots whose frames all have a row are not followed again, unless they have new
-anchors, or --overwrite.
+Cameras are written as they come, and once more when their shot is done, refined over all of it; its
+rows come with that. A run that was interrupted is started again to go on: shots whose frames all
+have a row are not followed again, unless they have new anchors, or --overwrite.
 
 --from FRAME follows only the shot of that frame (its name or number), in both directions.
 

@@ -135,10 +135,10 @@ def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress
     """Follow all shots of a run and write what comes of it.
 
     The table is there before the first camera: without one, cameras are not those of a track.
-    The cameras of a shot are written when it is done, and after them its rows. So a table that was
-    left by a run that was stopped says which shots need not be followed again; of those that are it
-    says nothing any more before their first camera is replaced. Every file appears in one step,
-    whole.
+    Cameras are written as frames are followed; those of a shot once more when it is done, refined
+    over all of it, and only then its rows. So a table that was left by a run that was stopped says
+    which shots need not be followed again; of those that are it says nothing any more before their
+    first camera is replaced. Every file appears in one step, whole.
 
     Args:
         run: over the shots.
@@ -155,10 +155,11 @@ def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress
     names = table.names
     seen = 0
 
-    def followed(_: TrackedFrame) -> None:
+    def followed(one: TrackedFrame) -> None:
         nonlocal seen
         seen += 1
         progress(min(seen, run.frame_count), run.frame_count)
+        writing.write(names[one.number], one)
 
     told = run.tell(followed)
     done = 0

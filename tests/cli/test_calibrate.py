@@ -390,7 +390,7 @@ def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path):
     assert "position ± " in rows["3"]["hardly_determined"]
     assert rows["1"]["hardly_determined"] == ""
     named = {name for name, row in rows.items() if row["hardly_determined"]}
-    assert "hardly determined (pan, tilt or roll ± more than 0.6°" in done.stderr
+    assert "hardly determined (pan, tilt or roll ± more than 1°" in done.stderr
     told = next(line for line in done.stderr.splitlines() if "hardly determined" in line)
     assert set(told.rpartition("): ")[2].split(", ")) == named
 

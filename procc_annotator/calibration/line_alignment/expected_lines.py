@@ -86,8 +86,10 @@ def _marking_points(elements: tuple[Element, ...]) -> MarkingPoints:
     if not sought:
         nothing = np.zeros((3, 0))
         rows = np.zeros(0, dtype=np.intp)
-        no_one = np.zeros(0, dtype=bool)
-        return MarkingPoints((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows, no_one)
+        none_required = np.zeros(0, dtype=bool)
+        return MarkingPoints(
+            (), nothing, nothing, nothing, rows, rows, np.zeros(0), rows, none_required
+        )
     element_of = np.repeat(owners, counts)
     return MarkingPoints(
         tuple(e.name for e in sought),

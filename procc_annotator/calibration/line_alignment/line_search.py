@@ -193,7 +193,7 @@ class _LineProfiles:
         cuts: (n, 2 (half + beyond) + 1, 3) BGR.
         values: the same in one tone, in which paint is lighter than what is next to it.
         response: (n, 2 half + 1) how much a band there stands out.
-        parts_areas: (n,) whether an element is taken for an edge between two areas.
+        separates_areas: (n,) whether an element is taken for an edge between two areas.
     """
 
     expected: ExpectedLinePoints
@@ -203,7 +203,7 @@ class _LineProfiles:
     cuts: PixelArray
     values: Values
     response: Values
-    parts_areas: NDArray[np.bool_]
+    separates_areas: NDArray[np.bool_]
 
     @classmethod
     def of(
@@ -219,9 +219,9 @@ class _LineProfiles:
         half = int(np.ceil((reach_px / frame.scale / step).max()))
         cuts = _sample_profiles(picture, expected, frame, step, half + _PROFILE_MARGIN_STEPS)
         tone = painted.tone[expected.rows]
-        values, parts_areas = _profile_values(cuts, tone, painted.element[expected.rows])
+        values, separates_areas = _profile_values(cuts, tone, painted.element[expected.rows])
         response = _neighbour_mean(_band_response(values), expected.run)
-        return cls(expected, frame.scale, step, half, cuts, values, response, parts_areas)
+        return cls(expected, frame.scale, step, half, cuts, values, response, separates_areas)
 
     def best(
         self, reach_px: float | FloatArray
@@ -238,7 +238,7 @@ class _LineProfiles:
         px = (at - self.half) * self.step
         narrow = np.flatnonzero(found & (self.step == _MIN_STEP_PX))
         column = _PROFILE_MARGIN_STEPS + np.rint(at[narrow]).astype(np.intp)
-        unlike = self.parts_areas[narrow] | _is_between_surfaces(
+        unlike = self.separates_areas[narrow] | _is_between_surfaces(
             self.values, narrow, column, contrast[narrow]
         )
         if unlike.any():
@@ -283,7 +283,7 @@ def _profile_values(
     lowest = np.minimum(np.minimum(cuts[..., 0], cuts[..., 1]), cuts[..., 2])
     values = lowest.astype(np.float32)
     values *= np.where(tone < 0, -1, 1).astype(np.float32)[:, None]
-    unknown, parts_areas = np.flatnonzero(tone == 0), np.zeros(len(cuts), dtype=bool)
+    unknown, separates_areas = np.flatnonzero(tone == 0), np.zeros(len(cuts), dtype=bool)
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
         looks = np.stack([grey, -grey, _steps(cuts[unknown])])
@@ -293,8 +293,8 @@ def _profile_values(
         votes = np.stack([np.bincount(own, s) for s in strength])
         chosen = votes.argmax(axis=0)[own]
         values[unknown] = looks[chosen, np.arange(len(own))]
-        parts_areas[unknown] = chosen == len(looks) - 1
-    return values, parts_areas
+        separates_areas[unknown] = chosen == len(looks) - 1
+    return values, separates_areas
 
 
 def _steps(cuts: PixelArray) -> Values:

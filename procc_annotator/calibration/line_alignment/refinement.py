@@ -136,7 +136,7 @@ _MIN_DISPLACED_LENGTH_PX, _MIN_DISPLACED_SHARE = (
     0.5,
 )  # of what was found of an element lies to one side
 _MAX_FOUND_SHARE = 0.7  # of an element: it is where the camera has it
-_MIN_RELATIVE_CONTRAST = 0.4  # of the usual contrast: the edge of a board is no paint
+MIN_RELATIVE_CONTRAST = 0.4  # of the usual contrast: the edge of a board is no paint
 _NEIGHBOUR_TOLERANCE_PX = 1.0  # between neighbours: other paint, and what is none, jumps
 _SUBSAMPLING = 3  # of places that were averaged with their neighbours every third tells it all
 # An element on the ground that is so long in sight, solver px, is missed if less of it has line
@@ -216,7 +216,7 @@ def search_nearby(
     offsets, near = nearest_line_offsets(
         picture, expected, painted, frame, _DISPLACED_PX, _FAR_RADIUS_PX
     )
-    found = offsets.found & (near | (offsets.contrast >= _MIN_RELATIVE_CONTRAST * usual))
+    found = offsets.found & (near | (offsets.contrast >= MIN_RELATIVE_CONTRAST * usual))
     return _consistent_with_neighbours(expected, offsets.px, found, painted)
 
 

@@ -25,6 +25,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     ROLL,
     Y,
     rotated_180,
+    vector_from_camera,
 )
 from procc_annotator.calibration.optimization.initialization import SIDES, prior_near
 from procc_annotator.calibration.optimization.observations import ImageFrame
@@ -37,6 +38,8 @@ from procc_annotator.calibration.single_image.field_points import (
     visible_line_points,
 )
 from procc_annotator.calibration.single_image.icp_refinement import (
+    AGREEMENT_POINTS,
+    AGREEMENT_PX,
     ImageLinePixels,
     SearchScene,
     chamfer_agreement,
@@ -64,7 +67,6 @@ _REFINED_COUNT, _SEARCH_RADII_PX = 7, (16.0, 8.0, 4.0)
 _REFINEMENT_SCORE_SHARE = 0.7  # of the best one's score before any is refined
 # Cameras that climb: of the main side, of each other one, at a known position.
 _ICP_POINTS, _ICP_POINTS_RIVAL, _ICP_POINTS_KNOWN = 600, 450, 160
-_AGREEMENT_PX, _AGREEMENT_POINTS = 3.0, 800
 _DISTINCT_CAMERA_PX = 15.0  # farther apart, two cameras show something else
 _MIN_ALIGNED_COVERAGE = 0.5  # of an element in sight, for it to be found
 _MIN_POSITION_SD_M = 0.05
@@ -201,7 +203,7 @@ def search_scene(
         scene, hypotheses, go_on, SEARCH_STAGES if place is None else SEARCH_STAGES_KNOWN
     )
     if place is not None and place.camera is not None:
-        found = with_hypothesis(scene, found, place.camera)
+        found = with_hypothesis(scene, found, vector_from_camera(place.camera, paint.frame))
     if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
         vectors, ends = (
@@ -295,7 +297,7 @@ def _distance_px(
 def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list[RefinedCandidate]:
     """Refined cameras, the best first."""
     final = np.array([refined.fit.vector for refined in tried])
-    judged = chamfer_agreement(scene, final, _AGREEMENT_PX, places=1, paint=_AGREEMENT_POINTS)
+    judged = chamfer_agreement(scene, final, AGREEMENT_PX, places=1, paint=AGREEMENT_POINTS)
     unlikeliness = scene.unlikeliness(final)
     candidates = [
         RefinedCandidate(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -85,6 +85,17 @@ class ImageLinePixels:
         if every <= 1:
             return self.on_ground
         return self.on_ground[(np.arange(count) * every).astype(np.intp)]
+
+    def thinned(self, count: int) -> ImageLinePixels:
+        """At most so many of the places on the ground, without what is around them."""
+        some = self.some(count)
+        return replace(
+            self,
+            points=self.points[:, some],
+            along=self.along[some],
+            on_ground=np.arange(len(some)),
+            ground=np.zeros((1, 1), np.uint8),
+        )
 
 
 def line_pixels_for_field(picture: PixelArray, field: Field) -> ImageLinePixels:
@@ -458,6 +469,9 @@ def _normal_equations(pulls: Correspondences, scale: float) -> tuple[FloatArray,
     return normal, (weighted @ off[:, :, None])[:, :, 0]
 
 
+AGREEMENT_PX, AGREEMENT_POINTS = 3.0, 800  # by which a refined camera is judged
+
+
 @dataclass(frozen=True, eq=False)
 class ChamferAgreement:
     """Agreement of B cameras with a picture.
@@ -493,8 +507,27 @@ def chamfer_agreement(
     pulls = match_lines_to_pixels(vectors, chosen, scene.lines.coarse, scene.paint, 0)
     on_paint = pulls.known & (np.abs(pulls.off) < within_px) & (pulls.away < 3 * within_px)
     coverage = on_paint.sum(axis=1) / np.maximum(pulls.in_view.sum(axis=1), 1)
-    some = scene.paint.some(paint)
-    pulls = match_pixels_to_lines(vectors, some, scene.lines, scene.paint, 0)
+    return ChamferAgreement(
+        coverage, *explained_shares(vectors, scene.lines, scene.paint, within_px, paint)
+    )
+
+
+def explained_shares(
+    vectors: FloatArray,
+    lines: FieldLinePoints,
+    paint: ImageLinePixels,
+    within_px: float,
+    count: int,
+) -> tuple[FloatArray, FloatArray]:
+    """(B,) shares of so many places of the paint that are on lines of cameras (B, 11), and that are
+    on lines or elsewhere on the field."""
+    pulls = match_pixels_to_lines(vectors, paint.some(count), lines, paint, 0)
     on_line = pulls.known & (np.abs(pulls.off) < within_px)
-    on_field = (on_line | pulls.in_view).mean(axis=1)
-    return ChamferAgreement(coverage, on_line.mean(axis=1), on_field)
+    total = max(on_line.shape[1], 1)
+    return on_line.sum(axis=1) / total, (on_line | pulls.in_view).sum(axis=1) / total
+
+
+def explained_on_field(paint: ImageLinePixels, vector: FloatArray, lines: FieldLinePoints) -> float:
+    """Share of the line pixels on the field that are on lines of a camera (11,)."""
+    on_line, on_field = explained_shares(vector[None], lines, paint, AGREEMENT_PX, AGREEMENT_POINTS)
+    return float(on_line[0] / max(on_field[0], 1e-9))

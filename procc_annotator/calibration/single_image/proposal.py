@@ -67,13 +67,13 @@ class KnownPosition:
         position_m: (3,) metres, world frame.
         covariance: (3, 3) m^2.
         usual: what else is known of the camera there; None for nothing.
-        camera: (11,) parameters of a camera there that is one more hypothesis; None for none.
+        camera: there, in px of the picture, that is one more hypothesis; None for none.
     """
 
     position_m: FloatArray
     covariance: FloatArray
     usual: LensAndRollPrior | None = None
-    camera: FloatArray | None = None
+    camera: PinholeCamera | None = None
 
 
 # What is known of the position of a camera that no other one agrees with, metres.

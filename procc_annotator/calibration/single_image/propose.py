@@ -152,11 +152,16 @@ def found_camera(
     go_on: Callable[[], None] = lambda: None,
 ) -> FoundCamera | None:
     """The best camera of a picture with pixels so many times as wide as high; None without any."""
+    size = (picture.shape[1], picture.shape[0])
     picture = with_square_pixels(picture, aspect)
     lines, paint = field_line_points(field), line_pixels_for_field(picture, field)
     if lines is None or len(paint.on_ground) < _MIN_LINE_PIXELS:
         return None
     go_on()
+    known = [
+        replace(place, camera=place.camera and place.camera.scaled(size, paint.frame.size))
+        for place in known
+    ]
     best = best_candidate(
         picture, field, lines, paint, known=known, elsewhere=elsewhere or not known, go_on=go_on
     )

@@ -30,6 +30,7 @@ from procc_annotator.calibration.line_alignment.gaussian_state import (
     update_state,
 )
 from procc_annotator.calibration.line_alignment.refinement import (
+    MIN_RELATIVE_CONTRAST,
     POINT_SPACING_PX,
     LineMeasurement,
     NearbyEdgePoints,
@@ -324,7 +325,6 @@ def filter_step(
     return _updated_step(none, solved, marks, painted.world[:, seen.expected.rows], frame)
 
 
-_FAR_CONTRAST = 0.4  # of the usual contrast, as for displaced elements
 _FREE_AGAIN = 1000.0  # times the smoothed covariance, within which a frame's own paint may move it
 
 
@@ -375,7 +375,9 @@ def remeasured_step(
 def _plain_far(seen: LineMeasurement) -> LineMeasurement:
     """Return what was found, without what is far off and fainter than usual: edges of boards."""
     px, contrast = (of[seen.offsets.found] for of in (seen.offsets.px, seen.offsets.contrast))
-    kept = (np.abs(px) <= _MIN_SEARCH_RADIUS_PX) | (contrast >= _FAR_CONTRAST * np.median(contrast))
+    kept = (np.abs(px) <= _MIN_SEARCH_RADIUS_PX) | (
+        contrast >= MIN_RELATIVE_CONTRAST * np.median(contrast)
+    )
     return replace(seen, marks=seen.marks.chosen(np.flatnonzero(kept)))
 
 

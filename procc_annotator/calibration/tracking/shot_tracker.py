@@ -21,7 +21,9 @@ from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.field_points import field_line_points
 from procc_annotator.calibration.single_image.icp_refinement import (
+    AGREEMENT_POINTS,
     ImageLinePixels,
+    explained_on_field,
     line_pixels_for_field,
 )
 from procc_annotator.calibration.single_image.proposal import SURE, KnownPosition, Proposal
@@ -40,10 +42,6 @@ from procc_annotator.calibration.tracking.forward_pass import (
     build_chain,
     neighbour_vector,
     track_run,
-)
-from procc_annotator.calibration.tracking.frame_evidence import (
-    explained_share,
-    thinned_line_pixels,
 )
 from procc_annotator.calibration.tracking.frame_reader import ReadFrame, decoded_frames
 from procc_annotator.calibration.tracking.motion_model import (
@@ -350,7 +348,7 @@ class _ShotTracker:
 
         def explained(chain: FrameChain) -> list[float]:
             return [
-                explained_share(pixels, chain.steps[place].belief.vector, lines)
+                explained_on_field(pixels, chain.steps[place].belief.vector, lines)
                 for place, pixels in seen.items()
                 if lines is not None
             ] or [0.0]
@@ -364,7 +362,8 @@ class _ShotTracker:
                 before[place] = step.belief.vector
                 picture = self.frame(number)
                 if place % every == 0 and place not in seen:
-                    seen[place] = thinned_line_pixels(line_pixels_for_field(picture, self.field))
+                    pixels = line_pixels_for_field(picture, self.field)
+                    seen[place] = pixels.thinned(AGREEMENT_POINTS)
                 steps[place] = remeasured_step(picture, step, self.painted, self.picture, reach)
             again = smooth_chain(replace(found.chain, steps=steps), self.field, self.picture)
             less = np.mean(explained(found.chain)) - np.mean(explained(again.chain))

@@ -196,7 +196,7 @@ def test_a_camera_of_a_detector_is_a_hypothesis_where_the_search_misses_it(monke
         return RankedCameras(elsewhere[None], np.array([0.3]), elsewhere[None])
 
     monkeypatch.setattr(candidates, "search_cameras", misses)
-    detected = vector_from_camera(replace(camera, pan_rad=camera.pan_rad + 0.005), frame)
+    detected = replace(camera, pan_rad=camera.pan_rad + 0.005)
     place = KnownPosition(np.array(camera.position_world), np.eye(3))
     missed = propose_camera(picture, _stage().field, known=[place], elsewhere=False)
     assert missed.state == "none"
@@ -233,7 +233,9 @@ def _seen(position: tuple[float, float, float], x: float, share: float) -> BestC
         (_seen((0.3, -60, -16), -20.0, 0.85), "at_known", 0.425),  # its other side
         (_seen((0, 64, -17), 20.0, 0.95), "free", 0.44),  # contradicted by the picture
         (_seen((0, 60, -16), -20.0, 0.95), "at_known", 0.88),
+        (_seen((0, 60, -16), -20.0, 0.60), "free", 0.44),
         (_seen((0, 60, -16), -20.0, 0.86), "free", 0.44),
+        (_seen((0, 60, -16), -20.0, 1.00), "at_known", 0.88),
     ],
 )
 def test_a_known_position_is_one_more_hypothesis(at_known, kept, rival):

@@ -14,7 +14,11 @@ from procc_annotator.calibration.optimization.camera_parameters import vector_fr
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.field_points import field_line_points
-from procc_annotator.calibration.single_image.icp_refinement import line_pixels_for_field
+from procc_annotator.calibration.single_image.icp_refinement import (
+    AGREEMENT_POINTS,
+    explained_on_field,
+    line_pixels_for_field,
+)
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
 from procc_annotator.calibration.tracking import shot_tracker, smoother
 from procc_annotator.calibration.tracking.filter_step import (
@@ -24,10 +28,6 @@ from procc_annotator.calibration.tracking.filter_step import (
     state_from_camera,
 )
 from procc_annotator.calibration.tracking.forward_pass import FrameChain, track_run
-from procc_annotator.calibration.tracking.frame_evidence import (
-    explained_share,
-    thinned_line_pixels,
-)
 from procc_annotator.calibration.tracking.frame_reader import decoded_frames
 from procc_annotator.calibration.tracking.motion_model import (
     MOTION_PARAMETERS,
@@ -138,10 +138,10 @@ def test_an_element_that_following_lost_is_measured_again_around_the_smoothed_ca
 
 def test_a_right_camera_explains_the_line_pixels_of_its_picture_and_a_wrong_one_does_not():
     vector, lines = vector_from_camera(CAMERAS[2], FRAME), field_line_points(FIELD)
-    seen = thinned_line_pixels(line_pixels_for_field(_picture(2), FIELD))
+    seen = line_pixels_for_field(_picture(2), FIELD).thinned(AGREEMENT_POINTS)
     turned = vector + 0.02 * (np.arange(11) == 0)  # 30 px
-    assert explained_share(seen, vector, lines) > 0.95
-    assert explained_share(seen, turned, lines) < 0.6
+    assert explained_on_field(seen, vector, lines) > 0.95
+    assert explained_on_field(seen, turned, lines) < 0.6
 
 
 def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(monkeypatch):

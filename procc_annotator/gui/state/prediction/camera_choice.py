@@ -66,7 +66,9 @@ class Proposals(QObject):
         super().__init__(store)
         self._store, self._cache, self._review = store, cache, review
         self._frames: tuple[Frame, ...] = ()
-        self._pixels: PixelAspect | None = None  # of the dataset, where they may not be square
+        # Of the dataset, where they may not be square; and whether that is known.
+        self._pixels: PixelAspect | None = None
+        self._pixels_known = False
         self.wanted = True
         self._derived = ComputedValue(
             self._next,
@@ -127,6 +129,7 @@ class Proposals(QObject):
         if frames is not self._frames:
             self._frames = frames
             self._pixels = stored_pixel_aspect(self._review.setting(ASPECT_SETTING))
+            self._pixels_known = self._pixels is not None
         for index in (here, *(here + step for step in _NEIGHBOURS)):
             if not 0 <= index < len(frames):
                 continue
@@ -159,10 +162,10 @@ class Proposals(QObject):
         pixels = video_pixel_aspect(frame.image_path)
         if pixels is None and len(possible_pixel_aspects((picture.shape[1], picture.shape[0]))) > 1:
             frames, pixels = self._frames, self._pixels
-            if pixels is None:
+            if not self._pixels_known:
                 pixels = set_pixel_aspect(frames, field, go_on)
                 if frames is self._frames:
-                    self._pixels = pixels
+                    self._pixels, self._pixels_known = pixels, True
         return propose_camera(picture, field, pixels=pixels, go_on=go_on)
 
     def _take(self) -> None:
