@@ -275,17 +275,16 @@ def _followed(frames: int, doubtful: int) -> str:
 
 def _follow(asked: _Asked, control: JobControl) -> Track:
     """In a thread."""
-    done, total = 0, 0
+    done, total = set[int](), 0  # frames, which may be followed more than once
 
     def go_on() -> None:
         if control.cancelled:
             raise Stopped
 
     def on_frame(frame: TrackedFrame) -> None:
-        nonlocal done
-        done += 1
+        done.add(frame.number)
         control.emit_partial(frame)
-        control.progress(done, total)
+        control.progress(len(done), total)
 
     sequence = asked.sequence
     numbers, within = sequence.unbroken(asked.number), asked.within
