@@ -22,7 +22,6 @@ from procc_annotator.calibration.single_image.field_points import field_line_poi
 from procc_annotator.calibration.single_image.pixel_aspect import (
     SQUARE_PIXELS,
     AspectSample,
-    PixelAspect,
     most_probable_aspect,
     possible_pixel_aspects,
 )
@@ -36,6 +35,7 @@ from procc_annotator.calibration.single_image.proposal import KnownPosition, Pro
 from procc_annotator.calibration.single_image.propose import found_camera, propose_camera
 from procc_annotator.calibration.single_image.search import RankedCameras
 from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.field.model import PixelAspect
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import (
@@ -102,7 +102,7 @@ def test_a_squeezed_picture_has_a_camera_with_wide_pixels():
         16 / 9, 0.01
     )
     assert _worst_px(camera.scaled(PICTURE_SIZE, size), found.fit.camera, size) < 4
-    certain = propose_camera(squeezed, _stage().field, pixels=PixelAspect(16 / 9, 1.0))
+    certain = propose_camera(squeezed, replace(_stage().field, pixels=PixelAspect(16 / 9, 1.0)))
     assert certain.state == "sure"
 
 
