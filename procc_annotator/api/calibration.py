@@ -42,6 +42,7 @@ def fit_camera(
     model: str = "R",
     size: tuple[int, int] = fitting.DEFAULT_SIZE,
     start: Camera | None = None,
+    pixel_aspect: float | None = None,
 ) -> FitResult:
     """Fit a camera to annotated elements; no picture and no start is needed.
 
@@ -61,6 +62,8 @@ def fit_camera(
             support, or R2 or F).
         size: (width, height) px of the picture the camera is for.
         start: a camera that is nearly right, px of ``size``.
+        pixel_aspect: width of the picture's pixels over their height, such as 16 / 9 for one that
+            was squeezed to a square; None for what the field says, else 1.
 
     Returns:
         The camera in px of ``size``, with residuals (px) and standard deviations (rad, metres, px);
@@ -71,7 +74,7 @@ def fit_camera(
         UsageError: an argument of another kind, no such model, or a size without pixels.
         FieldError: no such field.
     """
-    given = as_annotation(annotation), as_field(field)
+    given = as_annotation(annotation), as_field(field, pixel_aspect)
     if isinstance(start, FitResult):
         raise UsageError("start: expected a camera, found a fit (its `camera` is one)")
     if start is not None:
@@ -86,6 +89,7 @@ def propose_camera(
     *,
     known: Sequence[KnownPosition] = (),
     sure_from: float = SURE_FROM,
+    pixel_aspect: float | None = None,
 ) -> Proposal:
     """Find the camera of a picture from the paint in it, without a click.
 
@@ -98,6 +102,8 @@ def propose_camera(
             on the tripod of other frames: searched in addition to all other positions, and never
             a replacement for a better camera found without it.
         sure_from: the probability of being right from which on a camera is called sure, 0.5 to 1.
+        pixel_aspect: see `fit_camera`; None for what the field says, else estimated if the picture
+            is nearly square.
 
     Returns:
         ``probability`` that the camera is right, 0 to 1, and with it ``state`` (``sure``,
@@ -114,9 +120,8 @@ def propose_camera(
     """
     if not POSSIBLE_FROM <= sure_from <= 1:
         raise UsageError(f"sure_from: expected a probability from {POSSIBLE_FROM} to 1")
-    return propose.propose_camera(
-        as_picture(picture), as_field(field), known=known, sure_from=sure_from
-    )
+    shown = as_field(field, pixel_aspect)
+    return propose.propose_camera(as_picture(picture), shown, known=known, sure_from=sure_from)
 
 
 def track(
@@ -125,6 +130,7 @@ def track(
     *,
     anchors: Mapping[int, Camera] | None = None,
     on_frame: Callable[[TrackedFrame], None] | None = None,
+    pixel_aspect: float | None = None,
 ) -> Track:
     """Follow the camera through a video or through consecutive pictures.
 
@@ -140,6 +146,8 @@ def track(
             pictures. The track passes through them.
         on_frame: called for each frame as soon as it was followed; what is returned at the end is
             surer. What it raises ends the work.
+        pixel_aspect: see `fit_camera`; None for what the video's metadata or the field say, else
+            estimated if the pictures are nearly square.
 
     Returns:
         ``frames``, one a picture: ``number``, ``state`` (``anchor``, ``followed``, ``bridged`` by
@@ -155,6 +163,8 @@ def track(
     if isinstance(frames, str | Path):
         video = open_shared_video(as_path(frames, "a video"))
         count, frame = video.frame_count, video.frame
+        if pixel_aspect is None and video.pixel_aspect != 1:
+            pixel_aspect = video.pixel_aspect
     else:
         count, frame = _length(frames), lambda number: as_pixels(frames[number])
     known = dict(anchors or {})
@@ -163,9 +173,8 @@ def track(
             raise UsageError(f"anchors: no frame {number!r} among {count}, of which 0 is the first")
         as_camera(camera, f"anchors[{number}]")
     report = on_frame or (lambda _: None)
-    return shot_tracker.track_shot(
-        frame, range(count), as_field(field), anchors=known, on_frame=report
-    )
+    shown = as_field(field, pixel_aspect)
+    return shot_tracker.track_shot(frame, range(count), shown, anchors=known, on_frame=report)
 
 
 def _length(frames: object) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,9 +19,10 @@ from procc_annotator.camera.base import (
 )
 from procc_annotator.camera.custom import validated_camera
 from procc_annotator.camera.models import model_name
+from procc_annotator.dataset.dataset_field import MAX_PIXEL_ASPECT
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.formats.cameras.loaded_camera import (
     NAME_THE_FORMAT,
     LoadedCamera,
@@ -144,12 +145,17 @@ def as_annotation(annotation: object) -> FrameAnnotation:
     raise UsageError(f"expected an annotation (FrameAnnotation), found {kind_of(annotation)}{hint}")
 
 
-def as_field(field: object) -> Field:
-    """A field, or the one of that name or file; the usual one for None.
+def as_field(field: object, pixel_aspect: float | None = None) -> Field:
+    """A field, or the one of that name or file; the usual one for None; with the pixel aspect of
+    its pictures, if one is given.
 
     Raises:
-        UsageError: it is not one. FieldError: there is no such field.
+        UsageError: it is not one, or no aspect. FieldError: there is no such field.
     """
+    if pixel_aspect is not None:
+        if not 0 < pixel_aspect < MAX_PIXEL_ASPECT:
+            raise UsageError(f"pixel_aspect: expected 0 to {MAX_PIXEL_ASPECT:g}")
+        return replace(as_field(field), pixels=PixelAspect(float(pixel_aspect), 1.0))
     if isinstance(field, Field):
         return field
     if field is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -16,12 +16,6 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
 from procc_annotator.batch.set_run import SetRun
 from procc_annotator.calibration.fitting import fit_camera
-from procc_annotator.calibration.single_image.pixel_aspect import (
-    AspectSample,
-    PixelAspect,
-    most_probable_aspect,
-    possible_pixel_aspects,
-)
 from procc_annotator.calibration.single_image.probability import SURE_FROM
 from procc_annotator.calibration.single_image.proposal import (
     SURE,
@@ -30,19 +24,23 @@ from procc_annotator.calibration.single_image.proposal import (
     cluster_camera_positions,
     cluster_fit_positions,
 )
-from procc_annotator.calibration.single_image.propose import found_camera, propose_camera
+from procc_annotator.calibration.single_image.propose import (
+    ASPECT_PICTURES,
+    estimate_pixel_aspect,
+    propose_camera,
+)
 from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.dataset_field import video_pixel_aspect
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import CameraError, InputError, ProccError, UsageError
 from procc_annotator.field.load import field_for_frame
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.plugins import discover
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.image.decoding import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.video import open_shared_video, video_frame_of_path
 
 _PLACE, _DEVIATIONS = ("x_m", "y_m", "z_m"), ("sd_x_m", "sd_y_m", "sd_z_m")
 _ADVICE = "expected positions.csv of calibrate --shared-position, or cameras"
@@ -142,11 +140,10 @@ class WithPlugin:
 
     Attributes:
         name: of the detector.
-        pixels, sure_from: see `propose_camera`.
+        sure_from: see `propose_camera`.
     """
 
     name: str
-    pixels: PixelAspect | None = None
     sure_from: float = SURE_FROM
 
     def __call__(
@@ -157,7 +154,6 @@ class WithPlugin:
             picture,
             field,
             known=(*known, *hinted),
-            pixels=self.pixels,
             sure_from=self.sure_from,
         )
 
@@ -276,66 +272,29 @@ class ProposeCameras:
         return Proposed(frame.name, proposal, time.perf_counter() - began)
 
 
-def video_pixel_aspect(picture: Path) -> PixelAspect | None:
-    """The pixels of the video that a frame is of, where its metadata say that they are not
-    square."""
-    found = video_frame_of_path(picture)
-    aspect = 1.0 if found is None else open_shared_video(found[0]).pixel_aspect
-    return None if aspect == 1 else PixelAspect(aspect, 1.0)
-
-
-ASPECT_SETTING = "pixel_aspect"  # the key under which a dataset keeps its pixel aspect
-_ASPECT_PICTURES, _CERTAIN = 12, 0.999
-
-
-def stored_pixel_aspect(setting: str | None) -> PixelAspect | None:
-    """The pixel aspect that a dataset keeps; None without one that can be read."""
-    try:
-        value, probability = (float(part) for part in (setting or "").split())
-    except ValueError:
-        return None
-    return PixelAspect(value, probability) if 0 < value < 10 and 0 < probability <= 1 else None
-
-
-def aspect_setting(pixels: PixelAspect) -> str:
-    """What `stored_pixel_aspect` reads."""
-    return f"{pixels.value!r} {pixels.probability!r}"
-
-
 def set_pixel_aspect(
-    frames: Sequence[Frame], field: Field, go_on: Callable[[], None] = lambda: None
+    frames: Sequence[tuple[str, Path]], field: Field, go_on: Callable[[], None] = lambda: None
 ) -> PixelAspect | None:
     """Find out how wide the pixels of a set are, from some of its pictures.
 
     Args:
-        frames: of one source.
+        frames: of one source: their names and pictures.
         field: the elements, metres.
         go_on: called between steps; what it raises ends the search.
 
     Returns:
         None where pictures have a shape that cameras make.
     """
-    stated = video_pixel_aspect(frames[0].image_path) if frames else None
-    if stated is not None:
-        return stated
-    possible: Sequence[PixelAspect] = ()
-    samples: list[list[AspectSample | None]] = []
-    for frame in frames[:: max(len(frames) // _ASPECT_PICTURES, 1)][:_ASPECT_PICTURES]:
-        try:
-            picture = decode_for_camera(frame.image_path)
-        except InputError:  # the run lists it
-            continue
-        own = possible_pixel_aspects((picture.shape[1], picture.shape[0]))
-        if len(own) == 1 or (possible and own != possible):
-            return None
-        possible, samples = own, samples or [[] for _ in own]
-        own_field = field_for_frame(field, frame.name)
-        for aspect, of_pictures in zip(own, samples, strict=True):
-            best = found_camera(picture, own_field, aspect.value, go_on=go_on)
-            of_pictures.append(best.sample if best else None)
-        if most_probable_aspect(possible, samples).probability > _CERTAIN:
-            break
-    return most_probable_aspect(possible, samples) if possible else None
+
+    def pictures() -> Iterator[tuple[PixelArray, Field]]:
+        for name, path in frames[:: max(len(frames) // ASPECT_PICTURES, 1)][:ASPECT_PICTURES]:
+            try:
+                yield decode_for_camera(path), field_for_frame(field, name)
+            except InputError:  # the run lists it
+                continue
+
+    stated = video_pixel_aspect(frames[0][1]) if frames else None
+    return stated or estimate_pixel_aspect(pictures(), go_on)
 
 
 class ProposalRun(SetRun[Frame, Proposed, None]):

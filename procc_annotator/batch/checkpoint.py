@@ -323,6 +323,7 @@ def field_settings(field: Field) -> str:
         [(e.name, e.appearance, e.line_width, e.inside) for e in field.elements],
         [(m.name, m.position, m.covariance, m.instant, m.surveyed) for m in field.landmarks],
         sorted(field.instants.items()),
+        field.pixels,
     )
     return f"{field.described}, {hex_digest(field_fingerprint(field), repr(looked_at))[:12]}"
 

@@ -24,7 +24,11 @@ from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
     insufficient_reason,
 )
-from procc_annotator.calibration.optimization.covariance import parameter_covariance, point_error_sd
+from procc_annotator.calibration.optimization.covariance import (
+    parameter_covariance,
+    picture_distances,
+    point_error_sd,
+)
 from procc_annotator.calibration.optimization.initialization import camera_side, wide_prior
 from procc_annotator.calibration.optimization.lens_models import (
     fit_wide_angle,
@@ -210,7 +214,7 @@ def _wide_angle_result(
     result = fit_result_from(found, field, frame, model, warm)
     if result.camera is None:
         return replace(result, model="auto")
-    without, with_lens = (f"{_mean_px(one) / frame.scale:.2f}" for one in (plain, found))
+    without, with_lens = (f"{_mean_px(one, frame):.2f}" for one in (plain, found))
     lens = "a second radial coefficient" if model == "R2" else "the lens of a fisheye"
     because = f"{lens} brings the points from {without} to {with_lens} px"
     return replace(result, chosen_because=because)
@@ -297,7 +301,7 @@ def _log_evidence(found: CameraSolution, error_px: float) -> float:
 def _choice_reason(chosen: str, fits: dict[str, CameraSolution], frame: ImageFrame) -> str:
     if fits.keys() == {"R+"}:
         return _CROPPED_REASON
-    mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
+    mean = {model: f"{_mean_px(found, frame):.2f}" for model, found in fits.items()}
     if chosen == "P":
         return translatable(
             "without lens distortion the points are {without} px off, with it {with_it} px: not"
@@ -329,9 +333,9 @@ def _choice_reason(chosen: str, fits: dict[str, CameraSolution], frame: ImageFra
     return translatable_joined("; ", (bent, further))
 
 
-def _mean_px(found: CameraSolution) -> float:
+def _mean_px(found: CameraSolution, frame: ImageFrame) -> float:
     counted = ~found.left_out[found.seen.element_of_point]
-    return float(found.image_distances[counted].mean())
+    return float(picture_distances(found, frame)[counted].mean())
 
 
 DEFAULT_SIZE = (960, 540)
@@ -357,7 +361,7 @@ def fit_camera(
     Args:
         annotation: normalised points; unconfirmed elements take no part, nor do classes that the
             field does not place.
-        field: the elements, metres.
+        field: the elements, metres, and the pixels of the dataset's pictures.
         model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
             coefficient, negative only where the points demand it), R+ (R, aspect ratio and
             principal point), R2 (R+ and a second radial coefficient), F (OpenCV's fisheye), or auto
@@ -411,7 +415,7 @@ def _scene(request: FitRequest, model: str) -> FitScene | FitResult:
     if strange is not None:
         return FitResult(model, size, None, pixel_coordinates_error(strange))
     planar = model == "H"
-    frame = ImageFrame(size)
+    frame = ImageFrame(size, field.pixel_aspect)
     seen = build_observations(annotation, field, frame, ground_only=planar)
     problem = insufficient_reason(seen, needed=MIN_ELEMENTS, planar=planar)
     if seen is None or problem is not None:

@@ -31,6 +31,7 @@ from procc_annotator.calibration.optimization.covariance import (
     is_opposite_end_possible,
     max_direction_sd,
     parameter_covariance,
+    picture_distances,
     point_error_sd,
     projected_covariance,
 )
@@ -54,7 +55,8 @@ class ElementResidual:
             many points some.
         left_out: whether it was taken for a mistake and had no say.
         counted_px: the same distances as they count, px: those of a landmark are smaller the less
-            its own place is known; None where they count as they are.
+            its own place is known, and where pixels are not square they are multiples of their
+            height; None where they count as they are.
     """
 
     name: str
@@ -130,6 +132,8 @@ class FitResult:
             together, px of the picture; see `calibration.optimization.covariance`.
         of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
         fitted_on: `annotation_digest` of what it was fitted to, where that is kept.
+        pixel_aspect: width over height of the picture's pixels that it was fitted for; ``error_px``
+            and ``offset_px`` are then multiples of their height.
     """
 
     model: str
@@ -149,6 +153,12 @@ class FitResult:
     offset_px: float = 0.0
     of_clicks: FloatArray | None = None
     fitted_on: str | None = None
+    pixel_aspect: float = 1.0
+
+    @property
+    def frame(self) -> ImageFrame:
+        """The picture whose solver px the parameters belong to."""
+        return ImageFrame(self.size, self.pixel_aspect)
 
     @property
     def mean_px(self) -> float | None:
@@ -173,11 +183,11 @@ class FitResult:
         """
         if self.covariance is None or self.vector is None:
             return np.full((len(points_world), 2, 2), np.nan)
-        frame = ImageFrame(self.size)
+        frame = self.frame
         found = projected_covariance(
             self.vector, self.basis, frame.half_diagonal, self.covariance, points_world
         )
-        return np.asarray(found / frame.scale**2)
+        return np.asarray(found / np.outer(frame.scales, frame.scales))
 
     def projected_sd(
         self, points_world: FloatArray, normals: FloatArray | None = None
@@ -240,7 +250,7 @@ def ill_conditioned_reason(fit: FitResult) -> str:
     away = math.hypot(*known.position_m)
     if not away <= MAX_POSITION_SD_SHARE * math.hypot(*camera.position_world):
         words.append(translatable("position ± {metres:.0f} m", metres=away))
-    share = known.focal_px / camera.focal_px[0]
+    share = known.focal_px / camera.focal_px[1]
     if not share <= MAX_FOCAL_SD_SHARE:
         words.append(translatable("focal length ± {percent:.0f} %", percent=100 * share))
     if fit.other_end:
@@ -337,6 +347,7 @@ def fit_result_from(
         other_end=is_opposite_end_possible(found, field, frame),
         offset_px=offsets.sd_px / frame.scale,
         of_clicks=of_clicks,
+        pixel_aspect=frame.pixel_aspect,
     )
 
 
@@ -359,11 +370,11 @@ def _failure_reason(found: CameraSolution, field: Field) -> str | None:
 
 def _element_residuals(found: CameraSolution, frame: ImageFrame) -> tuple[ElementResidual, ...]:
     seen = found.seen
-    shown = np.split(found.image_distances / frame.scale, seen.starts[1:])
+    shown = np.split(picture_distances(found, frame), seen.starts[1:])
     counted = np.split(found.distances / frame.scale, seen.starts[1:])
-    uncertain = np.zeros(len(seen.element_of_point))
+    uncertain = np.full(len(seen.element_of_point), frame.pixel_aspect != 1)
     if seen.spreads is not None:
-        uncertain = np.abs(seen.spreads).max(axis=(1, 2))
+        uncertain |= seen.spreads.any(axis=(1, 2))
     return tuple(
         ElementResidual(
             element.name,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +12,7 @@ from procc_annotator.batch.calibration import CalibrationRun
 from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.joint_calibration import JointRun
-from procc_annotator.batch.set_run import WORTH_WORKERS
+from procc_annotator.batch.set_run import WORTH_WORKERS, annotation_files
 from procc_annotator.calibration.fitting import require_known_model
 from procc_annotator.calibration.result import ILL_CONDITIONED_LIMITS
 from procc_annotator.cli import options, outputs, remarks
@@ -114,6 +114,7 @@ class CalibrateOptions:
     size: options.FitSize = None
     field: options.FieldName = None
     lines: options.Lines = None
+    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT
     labels: options.LabelsFile = None
     off_plane: options.OffPlane = "left_out"
     mirrored: options.Mirrored = False
@@ -140,6 +141,7 @@ def calibrate(given: CalibrateOptions) -> None:
         given.mirrored,
         datasets=[given.dataset],
         lines=given.lines,
+        pixel_aspect=given.pixel_aspect,
     )
     thresholds = options.thresholds_or_default(given.threshold)
     place = annotations_of(given.dataset)
@@ -158,6 +160,8 @@ def calibrate(given: CalibrateOptions) -> None:
         remarks.report_mismatch(source, setup.field)
         remarks.report_camera_names(source)
         sizes = fit_sizes(source, place, given.dataset, given.size)
+        pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
+        setup = replace(setup, field=options.with_estimated_pixels(setup.field, pictures))
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
             with Checkpoint(left, asked, resume=going_on) as kept:

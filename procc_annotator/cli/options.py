@@ -4,24 +4,30 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Annotated
 
 import typer
 
 from procc_annotator.cli.echo import echo
-from procc_annotator.dataset.dataset_field import field_of_datasets
+from procc_annotator.dataset.dataset_field import (
+    field_of_datasets,
+    stored_pixel_aspect,
+    with_dataset_pixels,
+)
 from procc_annotator.dataset.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 from procc_annotator.dataset.layout import FIELD_FILE
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import load_field, with_lines
-from procc_annotator.field.model import LINE_POSITIONS, Field
+from procc_annotator.field.model import LINE_POSITIONS, Field, PixelAspect
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
 from procc_annotator.formats.file_source import ZipSource
 from procc_annotator.image.headers import is_valid_size
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
 from procc_annotator.report.outputs import is_archive
 
+AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
     "soccernet", "tvcalib", "broadtrack", "deepsportradar", "krt", "polylines",
     "projection", "transforms", "sccvsd", "ptz-slam", "opencv", "wc14", "carwc", "world",
@@ -29,7 +35,12 @@ CAMERA_FORMAT_NAMES = (
 )  # fmt: skip
 
 
-def chosen_field(text: str | None, *datasets: Path | None, lines: str | None = None) -> Field:
+def chosen_field(
+    text: str | None,
+    *datasets: Path | None,
+    lines: str | None = None,
+    pixel_aspect: str = AUTO_ASPECT,
+) -> Field:
     """The field an option names, with its dimensions if any are given; without it the datasets'
     own, with the dimensions they keep; with their landmarks either way.
 
@@ -37,6 +48,7 @@ def chosen_field(text: str | None, *datasets: Path | None, lines: str | None = N
         text: of the option.
         datasets: what has no folder says nothing.
         lines: where its lines lie; None: as the dataset keeps it, or the file of the field says.
+        pixel_aspect: of the pictures; see `parse_pixel_aspect`.
 
     Raises:
         FieldError: the field's description or a dimension cannot be used.
@@ -45,6 +57,10 @@ def chosen_field(text: str | None, *datasets: Path | None, lines: str | None = N
     """
     field = _own_field(*datasets) if text is None else _named_field(text)
     field = field if lines is None else with_lines(field, lines)
+    if text is not None and datasets and datasets[0] is not None:
+        field = with_dataset_pixels(field, datasets[0])
+    if (pixels := parse_pixel_aspect(pixel_aspect)) is not None:
+        field = replace(field, pixels=pixels)
     return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
 
 
@@ -114,6 +130,39 @@ def _packs_field_file(place: Path) -> bool:
             return any(PurePosixPath(name).name == FIELD_FILE for name in archive.names())
     except InputError:
         return False
+
+
+def parse_pixel_aspect(text: str) -> PixelAspect | None:
+    """The ratio that ``--pixel-aspect`` gives; None for ``auto``; refused if it is neither."""
+    if text == AUTO_ASPECT:
+        return None
+    if (known := stored_pixel_aspect(f"{text} 1")) is None:
+        raise UsageError(
+            f"--pixel-aspect {text}: expected auto, or the width of a pixel over its height, such"
+            " as 1.778"
+        )
+    return known
+
+
+def with_estimated_pixels(field: Field, pictures: Sequence[tuple[str, Path | None]]) -> Field:
+    """The field with the pixels of the pictures, which are estimated if nothing says what they are,
+    and stated if they are not square.
+
+    Args:
+        field: the elements.
+        pictures: each with the name of its frame, of some set; None for one that is not there.
+    """
+    # Loads what finds cameras, which most commands do without.
+    from procc_annotator.batch.camera_proposals import set_pixel_aspect
+
+    there = [(name, path) for name, path in pictures if path is not None]
+    pixels = field.pixels or set_pixel_aspect(there, field)
+    if pixels is not None:
+        echo(
+            f"pixels are {pixels.value:.3f} times as wide as high"
+            f" (probability {100 * pixels.probability:.1f} %)"
+        )
+    return field if pixels is None else replace(field, pixels=pixels)
 
 
 DEFAULT_THRESHOLD = 5.0
@@ -287,6 +336,15 @@ PlanarOnly = Annotated[
         help="Leave everything off the ground (goals, baskets, nets) out, for every camera.",
     ),
 ]
+PixelAspectText = Annotated[
+    str,
+    typer.Option(
+        "--pixel-aspect",
+        metavar="auto|RATIO",
+        help="Width of the pictures' pixels over their height, such as 1.778; auto: what"
+        " the video or the dataset says, else estimated from nearly square pictures.",
+    ),
+]
 Mirrored = Annotated[
     bool,
     typer.Option(
@@ -374,6 +432,7 @@ def make_setup(
     planar_only: bool = False,
     datasets: Sequence[Path | None] = (),
     lines: str | None = None,
+    pixel_aspect: str = AUTO_ASPECT,
 ) -> EvaluationSetup:
     """The evaluation the options describe; without a size at the default one, without a field on
     that of the datasets.
@@ -382,7 +441,7 @@ def make_setup(
         UsageError: options that contradict each other, an unknown protocol.
         FieldError: the field's description cannot be used.
     """
-    shown = chosen_field(field, *datasets, lines=lines)
+    shown = chosen_field(field, *datasets, lines=lines, pixel_aspect=pixel_aspect)
     return setup_for(shown, size, protocol, off_plane, mirrored, planar_only)
 
 

@@ -11,14 +11,11 @@ from typing import Annotated
 import typer
 
 from procc_annotator.batch.camera_proposals import (
-    ASPECT_SETTING,
     ProposalRun,
     Proposer,
     WithPlugin,
     chosen_proposer,
     read_positions,
-    set_pixel_aspect,
-    stored_pixel_aspect,
 )
 from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
@@ -29,7 +26,6 @@ from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import FrameAnnotations
-from procc_annotator.dataset.database.location import read_settings
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import InputError, UsageError
@@ -148,6 +144,7 @@ class ProposeOptions:
     labels: options.LabelsFile = None
     field: options.FieldName = None
     lines: options.Lines = None
+    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT
     camera_format: options.CameraFormat = "auto"
     workers: Workers = None
     dask: options.Dask = None
@@ -161,7 +158,9 @@ def propose(given: ProposeOptions) -> None:
             raise UsageError(f"{place}: does not exist")
     if given.detector is not None:
         chosen_proposer(given.detector)
-    shown = chosen_field(given.field, given.dataset, lines=given.lines)
+    shown = chosen_field(
+        given.field, given.dataset, lines=given.lines, pixel_aspect=given.pixel_aspect
+    )
     names = options.label_map(given.labels, shown)
     pictures = open_pictures(given.dataset, given.annotations)
     remarks.report_remarks(pictures.notices)
@@ -178,18 +177,13 @@ def propose(given: ProposeOptions) -> None:
     annotated = None if given.every_frame else pictures.annotated(given.annotations, shown, names)
     wanted = _frames_to_propose(pictures.frames[:: given.every], shown, annotated)
     chosen = wanted.frames
-    settings, _ = read_settings(given.dataset)
-    stored = stored_pixel_aspect(settings.get(ASPECT_SETTING))
-    pixels = stored or set_pixel_aspect(chosen, shown)
-    if pixels is not None:
-        echo(
-            f"pixels are {pixels.value:.3f} times as wide as high"
-            f" (probability {100 * pixels.probability:.1f} %)"
-        )
+    shown = options.with_estimated_pixels(
+        shown, [(frame.name, frame.image_path) for frame in chosen]
+    )
     proposer: Proposer = (
-        partial(propose_camera, pixels=pixels, sure_from=given.sure_from)
+        partial(propose_camera, sure_from=given.sure_from)
         if given.detector is None
-        else WithPlugin(given.detector, pixels, given.sure_from)
+        else WithPlugin(given.detector, given.sure_from)
     )
     run = ProposalRun(chosen, shown, proposer, positions)
     asked = {

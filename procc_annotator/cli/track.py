@@ -113,6 +113,7 @@ def track(
     begin: From = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     workers: Workers = 1,
@@ -121,10 +122,13 @@ def track(
     for given in (annotations, cameras):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    shown = chosen_field(field, source, lines=lines)
+    shown = chosen_field(field, source, lines=lines, pixel_aspect=pixel_aspect)
     names = options.label_map(labels, shown)
     pictures = open_pictures(source, annotations)
     remarks.report_remarks(pictures.notices)
+    shown = options.with_estimated_pixels(
+        shown, [(frame.name, frame.image_path) for frame in pictures.frames]
+    )
     start = None if begin is None else _number_of(begin, pictures)
     called = tuple(frame.name for frame in pictures.frames)
     outputs.check_camera_folder(out, [source, annotations, cameras])

@@ -90,7 +90,7 @@ _LEAST_COVERAGE = 0.65  # of the visible model, found on paint
 _MOST_RESIDUAL = 2.0 / 1280  # of the picture's width
 
 
-def most_residual_px(width: int) -> float:
+def most_residual_px(width: float) -> float:
     """Return how far the paint may be from the lines in a frame that is sure, px.
 
     Args:
@@ -112,7 +112,7 @@ def review_reason(frame: TrackedFrame) -> str:
     if frame.coverage < _LEAST_COVERAGE:
         share = frame.coverage
         return translatable("only {share:.0%} of the lines in sight are on paint", share=share)
-    most = most_residual_px(frame.fit.size[0])
+    most = most_residual_px(frame.fit.size[0] * frame.fit.pixel_aspect)
     if frame.residual_px is not None and frame.residual_px > most:
         return translatable("the paint is {px:.1f} px from the lines", px=frame.residual_px)
     return frame.reason

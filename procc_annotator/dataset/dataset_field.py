@@ -14,7 +14,7 @@ import msgspec
 
 from procc_annotator.dataset.database.location import read_settings
 from procc_annotator.dataset.layout import FIELD_FILE, STADIUMS_FILE, folder_of_dataset
-from procc_annotator.errors import FieldError, InputError, UsageError
+from procc_annotator.errors import FieldError, ImageError, InputError, UsageError
 from procc_annotator.field.formulas import did_you_mean
 from procc_annotator.field.load import (
     is_builtin_field,
@@ -23,10 +23,11 @@ from procc_annotator.field.load import (
     with_lines,
     with_stadiums,
 )
-from procc_annotator.field.model import Field, Stadiums
+from procc_annotator.field.model import Field, PixelAspect, Stadiums
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.csv_tables import encode_rows, escape_formula, read_frame_table
 from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.image.headers import VIDEO_SUFFIXES
 
 if TYPE_CHECKING:
     from procc_annotator.dataset.database.database import WorkspaceDatabase
@@ -215,6 +216,66 @@ def store_lines(database: WorkspaceDatabase, field: Field) -> None:
     database.set_setting(LINES_SETTING, None if usual else json.dumps(own))
 
 
+def video_pixel_aspect(picture: Path) -> PixelAspect | None:
+    """The pixels of the video that a frame is of, where its metadata say that they are not square;
+    of one that cannot be read nothing is known."""
+    # Loads FFmpeg, which most commands do without.
+    from procc_annotator.image.video import open_shared_video, video_frame_of_path
+
+    try:
+        found = video_frame_of_path(picture)
+        aspect = 1.0 if found is None else open_shared_video(found[0]).pixel_aspect
+    except ImageError:  # reading its frames says why
+        return None
+    return None if aspect == 1 else PixelAspect(aspect, 1.0)
+
+
+MAX_PIXEL_ASPECT = 10.0  # anything wider is no picture
+ASPECT_SETTING = "pixel_aspect"  # the key under which a dataset keeps its pixel aspect
+
+
+def stored_pixel_aspect(setting: str | None) -> PixelAspect | None:
+    """The pixel aspect that a dataset keeps; None without one that can be read."""
+    try:
+        value, probability = (float(part) for part in (setting or "").split())
+    except ValueError:
+        return None
+    return (
+        PixelAspect(value, probability)
+        if 0 < value < MAX_PIXEL_ASPECT and 0 < probability <= 1
+        else None
+    )
+
+
+def aspect_setting(pixels: PixelAspect) -> str:
+    """What `stored_pixel_aspect` reads."""
+    return f"{pixels.value!r} {pixels.probability!r}"
+
+
+def with_dataset_pixels(field: Field, place: Path) -> Field:
+    """The field with the pixels of a dataset's pictures, as far as a video's metadata or its
+    workspace say.
+
+    Args:
+        field: the elements.
+        place: see `folder_of_dataset`.
+    """
+    is_video = place.is_file() and place.suffix.lower() in VIDEO_SUFFIXES
+    pixels = video_pixel_aspect(place / "0") if is_video else None
+    if pixels is None and (folder := folder_of_dataset(place)) is not None:
+        pixels = stored_pixel_aspect(_settings_of(folder)[0].get(ASPECT_SETTING))
+    return field if pixels is None else replace(field, pixels=pixels)
+
+
+def _settings_of(folder: Path) -> tuple[Mapping[str, str], tuple[str, ...]]:
+    """What a dataset's workspace keeps, and why not."""
+    try:
+        settings, notice = read_settings(folder)
+    except InputError as error:
+        return {}, (str(error),)
+    return settings, tuple(filter(None, (notice,)))
+
+
 FIELD_SETTING = "field"  # what the choice is kept under with the dataset
 
 
@@ -302,15 +363,10 @@ def field_of_dataset(place: Path) -> DatasetField:
     folder = folder_of_dataset(place)
     if folder is None:
         return DatasetField(load_field(None))
-    settings: Mapping[str, str] = {}
-    notices: tuple[str, ...] = ()
-    try:
-        settings, notice = read_settings(folder)
-        notices = tuple(filter(None, (notice,)))
-    except InputError as error:
-        notices = (str(error),)
+    settings, notices = _settings_of(folder)
     found = field_of_settings(folder, settings)
-    return replace(found, notices=notices + found.notices)
+    field = with_dataset_pixels(found.field, place)
+    return replace(found, field=field, notices=notices + found.notices)
 
 
 def field_of_datasets(places: Iterable[Path]) -> DatasetField:
@@ -324,9 +380,10 @@ def field_of_datasets(places: Iterable[Path]) -> DatasetField:
     notices = tuple(dict.fromkeys(n for one in found.values() for n in one.notices))
     said = {place: one.field for place, one in found.items() if one.chosen}
     if not said:
-        return DatasetField(load_field(None), False, notices)
+        pixels = next((one.field.pixels for one in found.values()), None)
+        return DatasetField(replace(load_field(None), pixels=pixels), False, notices)
     field = next(iter(said.values()))
-    if any(other != field for other in said.values()):
+    if any(replace(other, pixels=field.pixels) != field for other in said.values()):
         words = ", ".join(f"{place}: {other.described}" for place, other in said.items())
         raise UsageError(
             f"the sets show different fields ({words}): name one with --field, or take them one by"

@@ -209,7 +209,9 @@ def with_lines(field: Field, lines: str) -> Field:
 
 def _with_dataset_additions(loaded: Field, of: Field) -> Field:
     found = with_landmarks(loaded, of.landmarks, of.instant, of.instants)
-    return found if of.stadiums is None else replace(found, stadiums=of.stadiums)
+    if of.stadiums is None and of.pixels is None:
+        return found
+    return replace(found, stadiums=of.stadiums, pixels=of.pixels)
 
 
 def read_toml_text(path: Path, error: type[InputError] = FieldError) -> str:

@@ -230,6 +230,19 @@ class Stadiums:
 
 
 @dataclass(frozen=True)
+class PixelAspect:
+    """The width of a picture's pixels over their height.
+
+    Attributes:
+        value: 1 for square ones.
+        probability: that it is this one, 0 to 1.
+    """
+
+    value: float
+    probability: float
+
+
+@dataclass(frozen=True)
 class Field:
     """A sports field: elements in a fixed order, its symmetries, and extra classes.
 
@@ -241,7 +254,8 @@ class Field:
     the dataset knows; some of the elements and classes are theirs, as they are at ``instant``, and
     ``instants`` says when its frames were taken (`field.landmarks.with_landmarks`). ``lines`` is
     one of `LINES`, ``usual_lines`` the one that its file says. ``stadiums`` gives frames dimensions
-    of their own (`field.load`).
+    of their own (`field.load`). ``pixels`` are those of the dataset's pictures, for which cameras
+    are fitted; None where that is not known.
     """
 
     name: str
@@ -261,6 +275,12 @@ class Field:
     lines: str = MEASURED_LINE
     usual_lines: str = dataclass_field(default=MEASURED_LINE, compare=False)
     stadiums: Stadiums | None = None
+    pixels: PixelAspect | None = None
+
+    @property
+    def pixel_aspect(self) -> float:
+        """The most probable width of pixels over their height; 1 where it is not known."""
+        return 1.0 if self.pixels is None else self.pixels.value
 
     @property
     def is_nominal(self) -> bool:

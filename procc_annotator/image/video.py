@@ -112,9 +112,8 @@ class Video:
         if self.pixel_aspect == 1:
             return ""
         return (
-            f"its pixels are {self.pixel_aspect:.3f} times as wide as high, cameras are for"
-            " square ones (convert it, for example with"
-            " ffmpeg -i old.mp4 -vf scale=iw*sar:ih,setsar=1 new.mp4)"
+            f"its pixels are {self.pixel_aspect:.3f} times as wide as high: cameras are in px of"
+            " its pictures as they are stored, with focal lengths in that ratio"
         )
 
     def frame(self, number: int) -> PixelArray:

@@ -7,6 +7,8 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.dataset_field import ASPECT_SETTING
 from tests.cli.conftest import rows_in
 
 FOUR_THIRDS = (1024, 768)
@@ -51,6 +53,31 @@ def test_each_frame_has_its_own_shape(cli, dataset, tmp_path):
     together = cli("calibrate", dataset.root, tmp_path / "one", "-m", "P", "--shared-position")
     assert "pictures are 1024x768 (1 frame): fitted at 960x720" in together.stderr
     assert rows(tmp_path / "one" / "calibration.csv")["2"]["height"] == "720"
+
+
+def test_squeezed_pictures_have_cameras_with_wide_pixels(cli, dataset, tmp_path):
+    for path in dataset.root.glob("*.jpg"):
+        cv2.imwrite(str(path), np.zeros((640, 640, 3), np.uint8))
+
+    def check_cameras(*options: object) -> None:
+        out = tmp_path / "out"
+        done = cli("calibrate", dataset.root, out, "-m", "P", "--overwrite", *options)
+        assert "pixels are 1.778 times as wide as high (probability 100.0 %)" in done.stdout
+        for name, pan in dataset.pans.items():
+            camera = json.loads((out / f"camera_{name}.json").read_text())
+            assert camera["y_focal_length"] / camera["x_focal_length"] == pytest.approx(1.7778)
+            assert camera["pan_degrees"] == pytest.approx(pan, abs=0.5)
+
+    check_cameras("--pixel-aspect", "1.7778")
+    check_cameras("--pixel-aspect", "1.7778", "--shared-position")
+    database = WorkspaceDatabase.open(dataset.root, "one")
+    database.set_setting(ASPECT_SETTING, "1.7778 1.0")
+    assert database.close()
+    check_cameras()
+    check_cameras("--field", "soccer", "--shared-position")
+    done = cli("calibrate", dataset.root, tmp_path / "out", "--pixel-aspect", "wide", code=None)
+    assert done.exit_code
+    assert "expected auto" in done.stderr
 
 
 def test_a_frame_without_a_picture_is_like_the_others(cli, square, tmp_path):

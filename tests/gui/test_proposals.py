@@ -10,15 +10,13 @@ import cv2
 import pytest
 from PySide6.QtCore import Qt
 
-from procc_annotator.batch.camera_proposals import ASPECT_SETTING, stored_pixel_aspect
 from procc_annotator.calibration.result import FitResult, external_camera_fit
-from procc_annotator.calibration.single_image.pixel_aspect import PixelAspect
 from procc_annotator.calibration.single_image.proposal import Proposal, ProposalState
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.dataset_field import ASPECT_SETTING, stored_pixel_aspect
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import ImageError
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import camera_choice
 from procc_annotator.image.pixels import PixelArray
@@ -45,11 +43,10 @@ class Finder:
         picture: PixelArray,
         field: Field,
         *,
-        pixels: PixelAspect | None,
         go_on: Callable[[], None],
     ) -> Proposal:
         self.asked += 1
-        self.pixels = pixels
+        self.pixels = field.pixels
         while self.wait is not None and not self.wait.wait(0.01):
             go_on()
         size = picture.shape[1], picture.shape[0]
@@ -103,7 +100,7 @@ def test_a_dataset_keeps_how_wide_its_pixels_are(make_window, bare, finder, qtbo
         cv2.imwrite(str(path), cv2.resize(cv2.imread(str(path)), (400, 400)))
     squeezed, calls = PixelAspect(16 / 9, 0.999), []
 
-    def estimate(frames: tuple[Frame, ...], *_: object) -> PixelAspect:
+    def estimate(frames: list[tuple[str, Path]], *_: object) -> PixelAspect:
         calls.append(len(frames))
         return squeezed
 
@@ -114,6 +111,7 @@ def test_a_dataset_keeps_how_wide_its_pixels_are(make_window, bare, finder, qtbo
     assert finder.pixels == squeezed
     assert calls == [len(window.services.state.workspace.frames)]
     assert stored_pixel_aspect(window.services.review.setting(ASPECT_SETTING)) == squeezed
+    assert window.services.state.field.pixels == squeezed
 
 
 class TestAFrameWithoutAnnotation:

@@ -318,7 +318,7 @@ def frame_observations(
         fit: has a pinhole camera.
         field: the elements.
     """
-    frame = ImageFrame(fit.size)
+    frame = fit.frame
     seen = build_observations(annotation, field, frame)
     if seen is None or fit.vector is None:
         raise ValueError("a failed fit has no camera")

@@ -218,7 +218,7 @@ def fit_at_known_position(
         why = translatable("even with the position known: {why}", why=problem)
         return FitResult(model, size, None, why)
 
-    frame = ImageFrame(size)
+    frame = ImageFrame(size, field.pixel_aspect)
     seen = build_observations(annotation, field, frame)
     count = 0 if seen is None else len(seen.elements)
     if seen is None or count < MIN_ELEMENTS_AT_POSITION:

@@ -98,7 +98,7 @@ def check_labels(
             rules
         that need none.
     """
-    frame = ImageFrame(size)
+    frame = ImageFrame(size, field.pixel_aspect)
     if len(suspect_elements(fit, frame)) >= MANY_OUTLIERS and fit.model not in WIDE_ANGLE_MODELS:
         go_on()
         other = fit_camera(annotation, field, model=AUTO, size=size)
@@ -134,7 +134,8 @@ def add_line_evidence(
     """
     if any(f.rule is Rule.PIXELS for f in findings):
         return tuple(findings)
-    evidence = FrameEvidence(annotation, field, ImageFrame(size), fit, paint=paint)
+    frame = ImageFrame(size, field.pixel_aspect)
+    evidence = FrameEvidence(annotation, field, frame, fit, paint=paint)
     found = [f for f in findings if f.rule is not Rule.SHORT]
     for rules in (short_end_findings, line_evidence_findings):
         found.extend(rules(evidence, tuple(found)))
@@ -150,7 +151,7 @@ def check_without_camera(
         annotation, field, size: as of `check_labels`.
     """
     no_fit = FitResult("", size, None, failure="not asked for")
-    evidence = FrameEvidence(annotation, field, ImageFrame(size), no_fit)
+    evidence = FrameEvidence(annotation, field, ImageFrame(size, field.pixel_aspect), no_fit)
     return tuple(
         sorted(
             _apply_rules(evidence, (unknown_class_findings, *_CAMERA_FREE_RULES)),

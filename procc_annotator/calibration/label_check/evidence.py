@@ -200,7 +200,7 @@ def annotated_elements(
         element = field.element(polyline.class_name)
         if element is None or not polyline.points:
             continue
-        points = (points_px(polyline, frame.size) - centre) * frame.scale
+        points = (points_px(polyline, frame.size) - centre) * frame.scales
         # Squares of numbers far beyond any picture do only harm.
         known = np.flatnonzero((np.abs(points) < 1e5).all(axis=1))
         if len(known):

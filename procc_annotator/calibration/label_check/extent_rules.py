@@ -100,7 +100,7 @@ def _is_relevant_gap(gap_px: float) -> bool:
 
 
 def _inside_image(points: FloatArray, frame: ImageFrame) -> FloatArray:
-    return np.asarray(points / frame.scale + frame.centre_px)
+    return np.asarray(points / frame.scales + frame.centre_px)
 
 
 def _end_by_camera(

@@ -93,16 +93,16 @@ def camera_from_vector(vector: FloatArray, frame: ImageFrame) -> PinholeCamera:
         else 0.0
     )
     fy = focal / frame.scale
-    centre = frame.centre_px
+    (cx, cy), scale_x = frame.centre_px, frame.scales[0]
     return PinholeCamera(
         _wrap_angle(float(vector[PAN])),
         float(vector[TILT]),
         float(vector[ROLL]),
         (float(vector[X]), float(vector[Y]), float(vector[Z])),
-        (fy * (1 + float(vector[ASPECT])), fy),
+        (fy / frame.pixel_aspect * (1 + float(vector[ASPECT])), fy),
         (
-            centre[0] + float(vector[PRINCIPAL_X]) / frame.scale,
-            centre[1] + float(vector[PRINCIPAL_Y]) / frame.scale,
+            cx + float(vector[PRINCIPAL_X] / scale_x),
+            cy + float(vector[PRINCIPAL_Y]) / frame.scale,
         ),
         (k1, k2, 0.0, 0.0, 0.0, 0.0),
     )
@@ -173,8 +173,8 @@ def vector_from_camera(camera: PinholeCamera, frame: ImageFrame) -> FloatArray:
             *camera.position_world,
             math.log(focal),
             max(camera.radial[0] * (frame.half_diagonal / focal) ** 2, MIN_KAPPA),
-            fx / fy - 1,
-            (camera.principal_point_px[0] - centre[0]) * frame.scale,
+            fx * frame.pixel_aspect / fy - 1,
+            (camera.principal_point_px[0] - centre[0]) * frame.scales[0],
             (camera.principal_point_px[1] - centre[1]) * frame.scale,
         ]
     )
@@ -216,8 +216,8 @@ def homography_from_pinhole(vector: FloatArray) -> FloatArray:
 
 def homography_camera(image_from_ground: FloatArray, frame: ImageFrame) -> HomographyCamera:
     """The camera of a homography in solver px."""
-    scale, (cx, cy) = frame.scale, frame.centre_px
-    picture = np.array([[1 / scale, 0.0, cx], [0.0, 1 / scale, cy], [0.0, 0.0, 1.0]])
+    (sx, sy), (cx, cy) = frame.scales, frame.centre_px
+    picture = np.array([[1 / sx, 0.0, cx], [0.0, 1 / sy, cy], [0.0, 0.0, 1.0]])
     return HomographyCamera(picture @ image_from_ground)
 
 
@@ -226,8 +226,8 @@ def homography_from_camera(camera: HomographyCamera, frame: ImageFrame) -> Float
 
     Scaled so that the depth of ground points is about that in metres.
     """
-    scale, (cx, cy) = frame.scale, frame.centre_px
-    solver = np.array([[scale, 0.0, -cx * scale], [0.0, scale, -cy * scale], [0.0, 0.0, 1.0]])
+    (sx, sy), (cx, cy) = frame.scales, frame.centre_px
+    solver = np.array([[sx, 0.0, -cx * sx], [0.0, sy, -cy * sy], [0.0, 0.0, 1.0]])
     matrix = solver @ camera.image_from_world
     norm = float(np.hypot(matrix[2, 0], matrix[2, 1]))
     return np.asarray(matrix / norm if norm > 0 else matrix)

@@ -23,6 +23,7 @@ from procc_annotator.calibration.optimization.residuals import (
     homography_derivatives,
     homography_residuals,
     pinhole_residuals,
+    unwhitened,
 )
 from procc_annotator.calibration.optimization.robust_fit import CameraSolution
 from procc_annotator.calibration.optimization.solver import FINAL_LOSS, ROBUST_LOSS
@@ -187,11 +188,7 @@ def estimate_element_offsets(
         error_px: standard deviation of a point across its element, solver px.
     """
     kept = found.seen.with_excluded(found.left_out)
-    free = found.prior.mean.shape[1]
-    if found.basis is not None:
-        off = homography_residuals(found.vector[None], kept, found.basis)
-    else:
-        off = pinhole_residuals(found.vector[None], kept, frame.half_diagonal, free)
+    off = residuals_of_fit(found, kept, frame)
     values, slopes, weights, member = _residual_rows(off, kept, found.left_out)
     pulls = (slopes * weights) @ member / error_px**2
     gain = np.linalg.inv(
@@ -199,6 +196,26 @@ def estimate_element_offsets(
     ) @ (slopes * weights)
     clipped = np.clip(values, -MAX_NOISE_RESIDUAL_PX, MAX_NOISE_RESIDUAL_PX)
     return ElementOffsets(_offset_sd_by_moments(clipped, slopes, gain, member), pulls)
+
+
+def residuals_of_fit(found: CameraSolution, seen: Observations, frame: ImageFrame) -> Residuals:
+    """The residuals of one camera (B = 1), with derivatives by its free parameters."""
+    if found.basis is not None:
+        return homography_residuals(found.vector[None], seen, found.basis)
+    free = found.prior.mean.shape[1]
+    return pinhole_residuals(found.vector[None], seen, frame.half_diagonal, free)
+
+
+def picture_distances(found: CameraSolution, frame: ImageFrame) -> FloatArray:
+    """(N,) px of the picture as it is from each point to its element."""
+    if frame.pixel_aspect == 1:
+        return np.asarray(found.image_distances / frame.scale)
+    off = residuals_of_fit(found, found.seen, frame)
+    values = unwhitened(off.values[0], found.seen) / frame.scales[:, None]
+    # Across an element it is the area that is scaled: of the residual times the direction.
+    along = off.along[0] + _TINY
+    shrunk = np.hypot(*(along / frame.scales[:, None])) / np.hypot(*along) * frame.scales[1]
+    return np.asarray(np.where(off.whole[0], np.hypot(*values), np.abs(values[0]) / shrunk))
 
 
 def _residual_rows(

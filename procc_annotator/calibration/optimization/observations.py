@@ -143,14 +143,26 @@ MAX_POINTS = 64
 
 @dataclass(frozen=True)
 class ImageFrame:
-    """The picture: its size, and the scale between its pixels and those of the solver."""
+    """The picture: its size, and the scale between its pixels and those of the solver, which are
+    square.
+
+    Attributes:
+        size: (width, height) px.
+        pixel_aspect: width of the picture's pixels over their height.
+    """
 
     size: tuple[int, int]
+    pixel_aspect: float = 1.0
 
     @property
     def scale(self) -> float:
-        """Solver pixels per picture pixel."""
-        return (REFERENCE_WIDTH - 1) / (self.size[0] - 1)
+        """Solver pixels per height of a picture pixel."""
+        return (REFERENCE_WIDTH - 1) / (self.size[0] - 1) / self.pixel_aspect
+
+    @property
+    def scales(self) -> FloatArray:
+        """(2,) solver pixels per picture pixel in x and y."""
+        return np.array([self.scale * self.pixel_aspect, self.scale])
 
     @property
     def centre_px(self) -> tuple[float, float]:
@@ -160,7 +172,8 @@ class ImageFrame:
     @cached_property
     def half_diagonal(self) -> float:
         """Half the picture's diagonal, solver px."""
-        return float(np.hypot(*self.centre_px)) * self.scale
+        x, y = self.centre_px
+        return float(np.hypot(x * self.pixel_aspect, y)) * self.scale
 
 
 @dataclass(frozen=True, eq=False)
@@ -331,7 +344,7 @@ def build_observations(
             continue
         if ground_only and not field.elements[row].on_ground:
             continue
-        px = (points_px(polyline, frame.size) - centre) * frame.scale
+        px = (points_px(polyline, frame.size) - centre) * frame.scales
         used = _usable_points(px)
         if len(used):
             found[row] = px[used].clip(-_MAX_COORDINATE_PX, _MAX_COORDINATE_PX)
@@ -353,7 +366,7 @@ def used_point_indices(polyline: Polyline, frame: ImageFrame) -> IntArray:
     if not polyline.points:
         return np.empty(0, dtype=np.intp)
     return _usable_points(
-        (points_px(polyline, frame.size) - np.array(frame.centre_px)) * frame.scale
+        (points_px(polyline, frame.size) - np.array(frame.centre_px)) * frame.scales
     )
 
 

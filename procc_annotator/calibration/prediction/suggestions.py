@@ -223,7 +223,7 @@ def suggest_annotations(
     """
     if fit.camera is None or fit.of_clicks is None or fit.error_px is None:
         return ()
-    frame = ImageFrame(fit.size)
+    frame = fit.frame
     shortest = MIN_LENGTH_PX / frame.scale
     passed_over = {e.name for e in field.elements if e.optional}
     passed_over -= {landmark.name for landmark in field.landmarks}

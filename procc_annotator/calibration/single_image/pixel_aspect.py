@@ -15,14 +15,12 @@ import cv2
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.calibration.optimization.camera_parameters import KAPPA, vector_from_camera
-from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.probability import (
     ProposalEvidence,
     probability_right,
 )
-from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.field.model import PixelAspect
 from procc_annotator.image.pixels import PixelArray
 
 _WIDE, _NARROW = 16 / 9, 4 / 3  # shapes of pictures as they are shown
@@ -37,19 +35,6 @@ _STORED_SIZES = {
 }  # fmt: skip
 _WRONG_CAMERA = 0.01  # a picture in which no camera is found tells no more than this
 _TRIPOD_SD_M = 0.5  # cameras that are found at one tripod agree to about this
-
-
-@dataclass(frozen=True)
-class PixelAspect:
-    """The width of a picture's pixels over their height.
-
-    Attributes:
-        value: 1 for square ones.
-        probability: that it is this one, 0 to 1.
-    """
-
-    value: float
-    probability: float
 
 
 SQUARE_PIXELS = PixelAspect(1.0, 1.0)
@@ -119,34 +104,33 @@ def _log_likelihood(samples: Sequence[AspectSample | None]) -> float:
     return found
 
 
+def stretched_size(size: tuple[int, int], aspect: float) -> tuple[int, int]:
+    """The size (width, height) of a picture once its pixels are square."""
+    return round(size[0] * max(aspect, 1.0)), round(size[1] / min(aspect, 1.0))
+
+
 def with_square_pixels(picture: PixelArray, aspect: float) -> PixelArray:
     """A picture (H, W, 4) stretched so that its pixels are square."""
     if aspect == 1:
         return picture
-    height, width = picture.shape[:2]
-    size = (round(width * max(aspect, 1.0)), round(height / min(aspect, 1.0)))
+    size = stretched_size((picture.shape[1], picture.shape[0]), aspect)
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
 
 
 def fit_in_picture(fit: FitResult, size: tuple[int, int]) -> FitResult:
-    """A fit to a stretched picture, in px of the picture (width, height) as it is."""
-    if fit.size == size or not isinstance(fit.camera, PinholeCamera):
+    """A fit to a stretched picture, in px of the picture (width, height) as it is; its parameters
+    are the same."""
+    if fit.size == size or fit.camera is None:
         return replace(fit, size=size)
-    camera = fit.camera.scaled(fit.size, size)
-    vector = vector_from_camera(camera, ImageFrame(size))
-    covariance, deviations = fit.covariance, fit.deviations
-    if covariance is not None and fit.vector is not None:
-        # Distortion is told at the corner, which is elsewhere.
-        old, new = (
-            (ImageFrame(s).half_diagonal / (c.focal_px[1] * ImageFrame(s).scale)) ** 2
-            for s, c in ((fit.size, fit.camera), (size, camera))
-        )
-        by = np.ones(len(covariance))
-        by[KAPPA] = new / old
-        covariance = covariance * np.outer(by, by)
+    by_x, by_y = ((own - 1) / (old - 1) for own, old in zip(size, fit.size, strict=True))
+    deviations = fit.deviations
     if deviations is not None:
-        focal = deviations.focal_px * camera.focal_px[1] / fit.camera.focal_px[1]
-        deviations = replace(deviations, focal_px=focal)
+        deviations = replace(deviations, focal_px=deviations.focal_px * by_y)
     return replace(
-        fit, size=size, camera=camera, vector=vector, covariance=covariance, deviations=deviations
+        fit,
+        size=size,
+        camera=fit.camera.scaled(fit.size, size),
+        deviations=deviations,
+        error_px=None if fit.error_px is None else fit.error_px * by_y,
+        pixel_aspect=by_y / by_x,
     )

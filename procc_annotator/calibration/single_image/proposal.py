@@ -115,7 +115,10 @@ def cluster_camera_positions(
     """
     if not cameras:
         return ()
-    vectors = np.array([vector_from_camera(c, ImageFrame(size)) for c, size in cameras])
+    frames = [ImageFrame(size, field.pixel_aspect) for _, size in cameras]
+    vectors = np.array(
+        [vector_from_camera(c, own) for (c, _), own in zip(cameras, frames, strict=True)]
+    )
     agreed = _clustered_positions(
         vectors, np.zeros((len(vectors), 3, 3)), field, np.ones(len(vectors), bool)
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from procc_annotator.calibration.optimization.camera_parameters import (
@@ -21,7 +21,6 @@ from procc_annotator.calibration.single_image.icp_refinement import (
 from procc_annotator.calibration.single_image.pixel_aspect import (
     SQUARE_PIXELS,
     AspectSample,
-    PixelAspect,
     fit_in_picture,
     most_probable_aspect,
     possible_pixel_aspects,
@@ -42,7 +41,7 @@ from procc_annotator.calibration.single_image.proposal import (
     Proposal,
     ProposalState,
 )
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import translatable, translatable_joined
 
@@ -84,7 +83,6 @@ def propose_camera(
     *,
     known: Sequence[KnownPosition] = (),
     elsewhere: bool = True,
-    pixels: PixelAspect | None = None,
     sure_from: float = SURE_FROM,
     go_on: Callable[[], None] = lambda: None,
 ) -> Proposal:
@@ -92,12 +90,11 @@ def propose_camera(
 
     Args:
         picture: (H, W, 4) BGRA.
-        field: the elements, metres.
+        field: the elements, metres, and the pixels of the picture; where these are not known and
+            its shape is none that cameras make, they are found out.
         known: where its camera may be known to stand: more hypotheses, which replace the camera
             found without them only by a better one.
         elsewhere: also search all positions that the field's file allows; always without ``known``.
-        pixels: how wide the pixels of its source are; None if that is to be found out, where its
-            shape is none that cameras make.
         sure_from: the probability of being right from which on the camera is called sure.
         go_on: called between steps; what it raises ends the search.
 
@@ -108,11 +105,18 @@ def propose_camera(
     size = (picture.shape[1], picture.shape[0])
     if field_line_points(field) is None:
         return _no_proposal(size, f"{field.title} has no painted lines to look for")
+    pixels = field.pixels
     possible = possible_pixel_aspects(size) if pixels is None else (pixels,)
+    elsewhere = elsewhere or not known
     found = [
         found_camera(picture, field, aspect.value, known=known, elsewhere=elsewhere, go_on=go_on)
         for aspect in possible
     ]
+    if elsewhere and not any(one is None or one.is_possible for one in found):
+        found = [
+            found_camera(picture, field, aspect.value, known=known, wide=True, go_on=go_on)
+            for aspect in possible
+        ]
     if len(found) > 1:
         pixels = most_probable_aspect(possible, [[one.sample if one else None] for one in found])
     best = found[[one.value for one in possible].index(pixels.value)] if pixels else found[0]
@@ -137,6 +141,11 @@ class FoundCamera:
     evidence: ProposalEvidence
 
     @property
+    def is_possible(self) -> bool:
+        """Whether it is more likely right than wrong."""
+        return probability_right(self.evidence) >= POSSIBLE_FROM
+
+    @property
     def sample(self) -> AspectSample:
         """What it says of the pixels."""
         return AspectSample(self.evidence, self.candidate.candidate.vector[POSITION_SLICE])
@@ -149,9 +158,11 @@ def found_camera(
     *,
     known: Sequence[KnownPosition] = (),
     elsewhere: bool = True,
+    wide: bool = False,
     go_on: Callable[[], None] = lambda: None,
 ) -> FoundCamera | None:
-    """The best camera of a picture with pixels so many times as wide as high; None without any."""
+    """The best camera of a picture with pixels so many times as wide as high, searched ``wide``
+    from more starts; None without any."""
     size = (picture.shape[1], picture.shape[0])
     picture = with_square_pixels(picture, aspect)
     lines, paint = field_line_points(field), line_pixels_for_field(picture, field)
@@ -163,9 +174,40 @@ def found_camera(
         for place in known
     ]
     best = best_candidate(
-        picture, field, lines, paint, known=known, elsewhere=elsewhere or not known, go_on=go_on
+        picture, field, lines, paint, known=known, elsewhere=elsewhere, wide=wide, go_on=go_on
     )
     return None if best is None else FoundCamera(best, best.evidence(picture, field))
+
+
+ASPECT_PICTURES = 12  # of a set, to estimate its pixel aspect; fewer if it is certain before
+_CERTAIN = 0.999
+
+
+def estimate_pixel_aspect(
+    pictures: Iterable[tuple[PixelArray, Field]], go_on: Callable[[], None] = lambda: None
+) -> PixelAspect | None:
+    """Estimate how wide the pixels of pictures of one source are.
+
+    Args:
+        pictures: (H, W, 4) BGRA, each with the elements as they are in it.
+        go_on: called between steps; what it raises ends the search.
+
+    Returns:
+        None where pictures have a shape that cameras make.
+    """
+    possible: Sequence[PixelAspect] = ()
+    samples: list[list[AspectSample | None]] = []
+    for picture, field in pictures:
+        own = possible_pixel_aspects((picture.shape[1], picture.shape[0]))
+        if len(own) == 1 or (possible and own != possible):
+            return None
+        possible, samples = own, samples or [[] for _ in own]
+        for aspect, of_pictures in zip(own, samples, strict=True):
+            best = found_camera(picture, field, aspect.value, go_on=go_on)
+            of_pictures.append(best.sample if best else None)
+        if most_probable_aspect(possible, samples).probability > _CERTAIN:
+            break
+    return most_probable_aspect(possible, samples) if possible else None
 
 
 def _proposal(

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
 from itertools import pairwise
+from typing import cast
 
 import numpy as np
 
@@ -26,8 +27,18 @@ from procc_annotator.calibration.single_image.icp_refinement import (
     explained_on_field,
     line_pixels_for_field,
 )
+from procc_annotator.calibration.single_image.pixel_aspect import (
+    SQUARE_PIXELS,
+    fit_in_picture,
+    stretched_size,
+    with_square_pixels,
+)
 from procc_annotator.calibration.single_image.proposal import SURE, KnownPosition, Proposal
-from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.single_image.propose import (
+    ASPECT_PICTURES,
+    estimate_pixel_aspect,
+    propose_camera,
+)
 from procc_annotator.calibration.tracking.filter_step import (
     FilterStep,
     nearest_pinhole_vector,
@@ -55,7 +66,7 @@ from procc_annotator.calibration.tracking.smoother import (
     smooth_chain,
 )
 from procc_annotator.calibration.tracking.track import FrameState, Track, TrackedFrame
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.base import Camera, scaled_camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.translation import translatable
@@ -153,7 +164,8 @@ def track_shot(
     Args:
         frame: number -> (H, W, 4) BGRA; is called by another thread, one call at a time.
         numbers: the frames, consecutive.
-        field: the elements, taken for the middle of their paint, see `marking_points`.
+        field: the elements, taken for the middle of their paint, see `marking_points`; pictures
+            whose pixels are not square are stretched, cameras are in px of those as they are.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
         known: where cameras of other shots of the same source stand. One that is not given is
             looked for there only, and counts if its own shot then shows that place.
@@ -167,13 +179,37 @@ def track_shot(
     """
     if not len(numbers):
         return Track((), ())
-    size = frame(numbers[0]).shape
+    height, width = frame(numbers[0]).shape[:2]
+    size = width, height
     given = {n: c for n, c in sorted((anchors or {}).items()) if n in numbers}
+    if field.pixels is None:
+        some = numbers[:: max(len(numbers) // ASPECT_PICTURES, 1)]
+        pixels = estimate_pixel_aspect(((frame(number), field) for number in some), go_on)
+        field = replace(field, pixels=pixels or SQUARE_PIXELS)
+    if (aspect := field.pixel_aspect) != 1:
+        square = stretched_size(size, aspect)
+
+        def in_picture(one: TrackedFrame) -> TrackedFrame:
+            off = one.residual_px and one.residual_px * (height - 1) / (square[1] - 1)
+            own = replace(one, fit=one.fit and fit_in_picture(one.fit, size), residual_px=off)
+            return _anchor_frame(own, given[one.number]) if one.state == "anchor" else own
+
+        stretched = track_shot(
+            lambda number: with_square_pixels(frame(number), aspect),
+            numbers,
+            replace(field, pixels=SQUARE_PIXELS),
+            anchors={n: cast(Camera, scaled_camera(c, size, square)) for n, c in given.items()},
+            known=known,
+            propose=propose,
+            on_frame=lambda one: on_frame(in_picture(one)),
+            go_on=go_on,
+        )
+        return replace(stretched, frames=tuple(map(in_picture, stretched.frames)))
     work = _ShotTracker(
         frame,
         field,
         marking_points(field),
-        ImageFrame((size[1], size[0])),
+        ImageFrame(size),
         tuple(known),
         propose or _default_proposer,
         on_frame,

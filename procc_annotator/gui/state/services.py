@@ -111,7 +111,7 @@ class Services(QObject):
         self.live_fit = LiveFit(store, self.review, self.blind_lock, self.scorer)
         self.uncertainty = UncertaintyMap(store, self.live_fit, self.disagreement)
         self.fit_source = FitSource(store, self.camera_sources, self.source_frames, self.live_fit)
-        self.proposals = Proposals(store, self.cache, self.review)
+        self.proposals = Proposals(store, self.cache, self.review, self.evaluation)
         self.corrections = CameraCorrections(store, self.proposals)
         self.prediction = PredictionSource(
             store, self.live_fit, self.review, self.shot_track, self.proposals, self.corrections

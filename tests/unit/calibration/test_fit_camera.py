@@ -12,6 +12,10 @@ from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.optimization.camera_parameters import MODELS
 from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.errors import UsageError
+from procc_annotator.field.model import PixelAspect
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 PICTURE_SIZES = [(960, 540), (1920, 1080), (1280, 720)]
 
@@ -378,6 +382,25 @@ def test_pixels_that_are_not_square_are_fitted(views, field):
     main = views.main(rng, k1=0.3).camera
     wide = [replace(main, focal_px=(1500 * share, 1500.0)) for share in (0.93, 0.95, 1.05, 1.07)]
     assert chosen_for(views, field, wide, rng, noise_px=0.5) == {"R+": 4}
+
+
+@pytest.mark.parametrize("model", ["H", "R", "R+", "auto"])
+def test_squeezed_pictures_have_the_cameras_of_wide_ones(views, field, model):
+    view, size = views.main(np.random.default_rng(3), k1=0.1), (640, 640)
+    wide = fit_camera(view.annotation, field, model=model)
+    narrow = replace(field, pixels=PixelAspect(16 / 9, 1.0))
+    found = fit_camera(view.annotation, narrow, model=model, size=size)
+    world = np.array([(-40.0, 10.0, 0.0), (-30.0, -10.0, 0.0), (-45.0, 0.0, 0.0)])
+    shown, again = (fit.camera.project(world)[0] / fit.size for fit in (wide, found))
+    np.testing.assert_allclose(again, shown, atol=1e-3)
+    if model != "H":
+        assert found.deviations.position_m == pytest.approx(wide.deviations.position_m, rel=0.01)
+        y_by_x = found.camera.focal_px[1] / found.camera.focal_px[0]
+        assert y_by_x == pytest.approx(16 / 9, rel=0.002 if model == "R" else 0.03)
+    measured = measure(view.annotation, found.camera, EvaluationSetup(field, size, "procc"))
+    judged = {e.annotated_name: e.max_distance for e in score(measured, 5.0).elements}
+    for element in found.elements:  # px of the picture as it is
+        assert element.max_px == pytest.approx(judged[element.name], abs=0.05)
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import lru_cache
 
+import cv2
 import numpy as np
 import pytest
 
@@ -44,6 +45,7 @@ from procc_annotator.calibration.tracking.smoother import (
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Line
+from procc_annotator.field.model import PixelAspect
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared_video
 from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
@@ -107,6 +109,24 @@ def test_an_anchor_keeps_its_camera_to_the_digit_and_the_track_passes_it():
         assert found.frames[number].state == "anchor"
     assert max(_off(f) for f in found.frames) < 0.8
     assert found.frames[10].anchor_distance == 2
+
+
+def test_squeezed_frames_are_followed_with_cameras_of_wide_pixels():
+    size, wide = (540, 540), PixelAspect(16 / 9, 1.0)
+    told: list[TrackedFrame] = []
+    anchor = CAMERAS[7].scaled(SIZE, size)
+    found = track_shot(
+        lambda n: np.asarray(cv2.resize(_picture(n), size, interpolation=cv2.INTER_AREA), np.uint8),
+        range(COUNT),
+        replace(FIELD, pixels=wide),
+        anchors={7: anchor},
+        propose=_nothing,
+        on_frame=told.append,
+    )
+    assert found.frames[7].fit.camera is anchor
+    for frame in (*found.frames, *told):
+        assert frame.fit.size == size
+        assert apart_px(CAMERAS[frame.number], frame.fit.camera.scaled(size, SIZE)) < 1
 
 
 def test_a_track_that_does_not_pass_through_a_known_camera_is_doubtful():

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from procc_annotator.batch.camera_proposals import video_pixel_aspect
-from procc_annotator.calibration.single_image.pixel_aspect import PixelAspect
+from procc_annotator.dataset.dataset_field import video_pixel_aspect
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import ImageError
+from procc_annotator.field.model import PixelAspect
 from procc_annotator.image.decoding import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.video import (
     Video,

@@ -301,6 +301,8 @@ def _put(band: Band, at: int, frame: TrackedFrame) -> None:
     fit = frame.fit if frame.fit is not None and frame.fit.camera is not None else None
     band.coverage[at] = 0.0 if fit is None else min(max(frame.coverage, 0.0), 1.0)
     far = 0.0 if fit is None or frame.residual_px is None else frame.residual_px
-    band.distance[at] = 0.0 if fit is None else min(1.0, far / most_residual_px(fit.size[0]))
+    band.distance[at] = (
+        0.0 if fit is None else min(1.0, far / most_residual_px(fit.size[0] * fit.pixel_aspect))
+    )
     band.doubtful[at] = bool(review_reason(frame))
     band.lost[at] = fit is None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import takewhile
 from pathlib import Path
@@ -12,11 +13,14 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.database.location import folder_of
 from procc_annotator.dataset.dataset_field import (
+    ASPECT_SETTING,
     DatasetField,
     field_of_settings,
     field_settings,
     own_field_file,
     stored_field_source,
+    stored_pixel_aspect,
+    video_pixel_aspect,
 )
 from procc_annotator.dataset.diagnostics import (
     Mismatch,
@@ -167,7 +171,9 @@ class FieldChoice(QObject):
         self._chosen = found.chosen
         shown = found if found.chosen else DatasetField(self._default, False, found.notices)
         self._watch.watch(own_source(shown.field))
-        return shown
+        stated = video_pixel_aspect(workspace.frames[0].image_path) if workspace.frames else None
+        pixels = stated or stored_pixel_aspect(settings.get(ASPECT_SETTING))
+        return replace(shown, field=replace(shown.field, pixels=pixels))
 
     def choose(self, source: str | Path) -> None:
         """Show another field from now on, and let the dataset remember it; reported where it cannot

@@ -9,35 +9,28 @@ something is annotated after it.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
 from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
-from procc_annotator.batch.camera_proposals import (
-    ASPECT_SETTING,
-    aspect_setting,
-    set_pixel_aspect,
-    stored_pixel_aspect,
-    video_pixel_aspect,
-)
+from procc_annotator.batch.camera_proposals import set_pixel_aspect
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.pixel_aspect import (
-    PixelAspect,
-    possible_pixel_aspects,
-)
 from procc_annotator.calibration.single_image.proposal import SURE, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.dataset_field import ASPECT_SETTING, aspect_setting
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.field.load import field_for_frame
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
 from procc_annotator.gui.state.prediction.computed_sources import ShotTrack
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.scoring.commands import EvaluationSettings
 from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
@@ -52,7 +45,7 @@ class Proposals(QObject):
     """Looks at the frame on screen if nothing is annotated there, then at those next to it.
 
     The answer is that of the picture alone, it does not depend on what was opened before; except
-    how wide the pixels of the dataset are, which the dataset keeps.
+    how wide the pixels of the dataset are, which become part of its field and are kept.
     Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
     in a dataset locked to it, nothing is looked for.
 
@@ -62,11 +55,14 @@ class Proposals(QObject):
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
 
-    def __init__(self, store: Store, cache: FrameCache, review: ReviewState) -> None:
+    def __init__(
+        self, store: Store, cache: FrameCache, review: ReviewState, evaluation: EvaluationSettings
+    ) -> None:
         super().__init__(store)
         self._store, self._cache, self._review = store, cache, review
+        self._evaluation = evaluation
         self._frames: tuple[Frame, ...] = ()
-        # Of the dataset, where they may not be square; and whether that is known.
+        # Of the dataset, where they were estimated; and whether that was tried.
         self._pixels: PixelAspect | None = None
         self._pixels_known = False
         self.wanted = True
@@ -128,8 +124,7 @@ class Proposals(QObject):
         here, frames = state.frame_index, state.workspace.frames
         if frames is not self._frames:
             self._frames = frames
-            self._pixels = stored_pixel_aspect(self._review.setting(ASPECT_SETTING))
-            self._pixels_known = self._pixels is not None
+            self._pixels, self._pixels_known = None, False
         for index in (here, *(here + step for step in _NEIGHBOURS)):
             if not 0 <= index < len(frames):
                 continue
@@ -159,18 +154,20 @@ class Proposals(QObject):
         go_on()
         field = field_for_frame(field, frame.name)
         picture = self._cache.get(frame.image_path)
-        pixels = video_pixel_aspect(frame.image_path)
-        if pixels is None and len(possible_pixel_aspects((picture.shape[1], picture.shape[0]))) > 1:
-            frames, pixels = self._frames, self._pixels
-            if not self._pixels_known:
-                pixels = set_pixel_aspect(frames, field, go_on)
-                if frames is self._frames:
-                    self._pixels, self._pixels_known = pixels, True
-        return propose_camera(picture, field, pixels=pixels, go_on=go_on)
+        if field.pixels is None and not self._pixels_known:
+            frames = self._frames
+            pictures = [(one.name, one.image_path) for one in frames]
+            pixels = set_pixel_aspect(pictures, field, go_on)
+            if frames is self._frames:
+                self._pixels, self._pixels_known = pixels, True
+            field = replace(field, pixels=pixels)
+        return propose_camera(picture, field, go_on=go_on)
 
     def _take(self) -> None:
-        if self._pixels is not None:
+        field = self._store.state.field
+        if self._pixels is not None and field.pixels is None:
             self._review.set_setting(ASPECT_SETTING, aspect_setting(self._pixels))
+            self._evaluation.take_field(replace(field, pixels=self._pixels))
         self.changed.emit()
         self._derived.invalidate_later()  # there may be the next one to look at
 

@@ -115,6 +115,7 @@ class EvaluationSettings(QObject):
         own = self._store.state.field
         if field.stadiums is None and field.name == own.name:  # its file was read again
             field = with_stadiums(field, own.stadiums)
+        field = replace(field, pixels=own.pixels)
         return with_landmarks(field, own.landmarks, own.instant, own.instants)
 
 
