@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.assist.visible_line import (
     VisibleLine,
@@ -19,7 +19,8 @@ from procc_annotator.assist.visible_line import (
 )
 from procc_annotator.calibration.prediction.ghosts import ElementJoint, ExpectedEnd, Ghost
 from procc_annotator.calibration.prediction.visible_elements import image_edge_point
-from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines
+from procc_annotator.image.line_offsets import offsets_along_curve
+from procc_annotator.image.line_snapping import SNAP_RADIUS_PX
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import polyline_normals
 
@@ -36,6 +37,7 @@ _LEAST_MERIT = 0.3
 _TRIED_PX = 25.0
 _BEYOND_PX = 40.0  # the other line may be seen so far before the corner only
 _MISSED_PX = 1.5
+_COARSE = 8  # places: two courses that cross are near there and nowhere else
 _LEAST_SINE = 0.1  # lines at less than six degrees cross nowhere that could be told
 _STEEP_SINE = 0.8  # what a course is off is little along the other one
 _NEAR_PX = 10.0, 76.0  # of the corner: from where both are followed to it
@@ -66,10 +68,13 @@ class _Scene:
     paint: ExpectedLines
     ghost: Ghost
 
-    def snapped(self, course: FloatArray, along: FloatArray, name: str, reach: float) -> FloatArray:
-        """(n, 2) px on the paint of an element near a course (n, 2); NaN where there is none."""
+    def offsets(
+        self, course: FloatArray, across: FloatArray, rows: IntArray, name: str, reach: float
+    ) -> FloatArray:
+        """(k,) px from places of a course (n, 2) to the paint of an element, along its normals
+        (n, 2); NaN where there is none."""
         sought = self.paint.of(name)
-        return snap_points_to_lines(self.picture, course, along, sought, reach_px=reach)
+        return offsets_along_curve(self.picture, course, across, rows, sought, reach)
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,9 +181,7 @@ def _detected_line(
     if len(rows) < _LEAST_AGREED:
         return None
     across = polyline_normals(course, 3)
-    along = np.column_stack([across[rows, 1], -across[rows, 0]])
-    found = scene.snapped(course[rows], along, name, reach)
-    offsets = ((found - course[rows]) * across[rows]).sum(axis=1)
+    offsets = scene.offsets(course, across, rows, name, reach)
     known = ~np.isnan(offsets)
     if known.sum() < _LEAST_AGREED:
         return None
@@ -190,26 +193,47 @@ def _detected_line(
     if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
         return None
     shifts = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, len(course)), coefficients)
-    hit = rows[known][agreed]
-    kept = slice(int(hit[0]), int(hit[-1]) + 1)
-    return (course + across * shifts[:, None])[kept], share
+    painted, hit = course + across * shifts[:, None], rows[known][agreed]
+    # Next to the picture's edge there is no ground to one side of it.
+    at_edge = np.any((painted < _AT_EDGE_PX) | (painted > limits - _AT_EDGE_PX), axis=1)
+    first = rows[0] if at_edge[rows[0] : hit[0]].all() else hit[0]
+    last = rows[-1] if at_edge[hit[-1] + 1 : rows[-1] + 1].all() else hit[-1]
+    return painted[first : last + 1], share
 
 
 def _curve_distances(places: FloatArray, course: FloatArray) -> FloatArray:
     """(n,) px from places to the nearest of a course."""
-    away = np.hypot(*(places[:, None] - course[None]).transpose(2, 0, 1))
-    return np.asarray(away.min(axis=1)) if len(places) else np.zeros(0)
+    return np.asarray(_distances(places, course).min(axis=1)) if len(places) else np.zeros(0)
+
+
+def _distances(places: FloatArray, others: FloatArray) -> FloatArray:
+    """(n, m) px between places (n, 2) and others (m, 2)."""
+    (x, y), (u, v) = places.T, others.T
+    away = x[:, None] - u
+    away *= away
+    beside = y[:, None] - v
+    beside *= beside
+    away += beside
+    return np.asarray(np.sqrt(away, out=away))
 
 
 def _crossing(own: FloatArray, other: FloatArray) -> FloatArray | None:
     """(2,) px where two courses cross, the other one continued at both ends."""
     whole = continued(continued(other, _BEYOND_PX)[::-1], _BEYOND_PX)
-    apart = np.hypot(*(own[:, None] - whole[None]).transpose(2, 0, 1))
-    i, j = np.unravel_index(int(apart.argmin()), apart.shape)
-    if apart[i, j] > _MISSED_PX:
+    (i, j), _ = _nearest(own[::_COARSE], whole[::_COARSE])
+    begin, start, size = max(0, (i - 1) * _COARSE), max(0, (j - 1) * _COARSE), 2 * _COARSE + 1
+    (i, j), apart = _nearest(own[begin : begin + size], whole[start : start + size])
+    if apart > _MISSED_PX:
         return None
-    i, j = np.clip(i, 1, len(own) - 2), np.clip(j, 1, len(whole) - 2)
+    i, j = min(max(begin + i, 1), len(own) - 2), min(max(start + j, 1), len(whole) - 2)
     return _meeting(own[i], own[i + 1] - own[i - 1], whole[j], whole[j + 1] - whole[j - 1])
+
+
+def _nearest(places: FloatArray, others: FloatArray) -> tuple[tuple[int, int], float]:
+    """Rows of the two that are nearest to each other, and px between them."""
+    apart = _distances(places, others)
+    i, j = divmod(int(apart.argmin()), len(others))
+    return (i, j), float(apart[i, j])
 
 
 def _meeting(a: FloatArray, u: FloatArray, b: FloatArray, v: FloatArray) -> FloatArray | None:
@@ -249,10 +273,9 @@ def _close_by(
     rows = rows[_curve_distances(course[rows], beside) > _BESIDE_PX]
     if len(rows) < _LOCAL_AGREED:
         return None
-    across = polyline_normals(course, 3)[rows]
-    along = np.column_stack([across[:, 1], -across[:, 0]])
-    found = scene.snapped(course[rows], along, name, _LOCAL_REACH_PX)
-    found = found[~np.isnan(found[:, 0])]
+    across = polyline_normals(course, 3)
+    offsets = scene.offsets(course, across, rows, name, _LOCAL_REACH_PX)
+    found = (course[rows] + offsets[:, None] * across[rows])[~np.isnan(offsets)]
     if len(found) < _LOCAL_AGREED:
         return None
     direction = found[-1] - found[0]
@@ -415,9 +438,9 @@ def _seen_again(line: VisibleLine, scene: _Scene) -> int | None:
     """The place from which a line that was hidden is seen until its last end, which is too near
     for it to show a steady stroke; None: it is not."""
     rows = np.arange(line.length - 1, max(line.runs[-1][1], line.length - _HIDDEN_PX), -_AGAIN_PX)
-    course, along = line.course_px[rows], line.directions[rows]
-    found = scene.snapped(course, along, scene.ghost.name, _AGAIN_REACH_PX)
-    seen = ~np.isnan(found[:, 0])
+    across = np.column_stack([-line.directions[:, 1], line.directions[:, 0]])
+    offsets = scene.offsets(line.course_px, across, rows, scene.ghost.name, _AGAIN_REACH_PX)
+    seen = ~np.isnan(offsets)
     if seen.sum() < _AGAIN_FOUND or not seen[:_AGAIN_FOUND].any():
         return None
     return int(rows[np.flatnonzero(seen)[-1]])

@@ -8,13 +8,14 @@ import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray, IntArray, true_runs
 from procc_annotator.field.model import EDGE
+from procc_annotator.image.line_offsets import offsets_along_curve
 from procc_annotator.image.line_profiles import (
     LineTarget,
     StraightenedCurve,
     Values,
     straighten_curve,
 )
-from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines
+from procc_annotator.image.line_snapping import SNAP_RADIUS_PX
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths, polyline_normals
 
@@ -364,10 +365,7 @@ def _offsets(
     n = len(course)
     count = int(np.clip(round(n / _SNAP_EVERY_PX), *_SNAPS))
     rows = np.unique(np.linspace(0, n - 1, count).round().astype(np.intp))
-    found = snap_points_to_lines(
-        picture, course[rows], _along(across[rows]), sought, reach_px=reach
-    )
-    values = ((found - course[rows]) * across[rows]).sum(axis=1)
+    values = offsets_along_curve(picture, course, across, rows, sought, reach)
     known = ~np.isnan(values)
     if known.sum() < 3:
         return None, rows[:0]

@@ -47,7 +47,7 @@ _BAR_PROFILE_POSITIONS_PX = tuple(
     tuple(_BAR_LENGTH_FACTOR * px for px in of) for of in _PROFILE_POSITIONS_PX
 )
 _DISTANCE_SCALE_PX = 8.0  # a band at this distance counts less than half of one at none
-_MIN_BAND_CONTRAST = 16.0  # of 255
+MIN_BAND_CONTRAST = 16.0  # of 255
 # Of the grounds next to a band and of three samples in its middle: its step in one cut.
 _BAND_STEP = np.array([-1 / 2, 1 / 3, 1 / 3, 1 / 3, -1 / 2], dtype=np.float32)
 _EDGE_STEP = np.array([-1, 0, 0, 0, 1], dtype=np.float32)
@@ -211,8 +211,8 @@ def _matches_target(band: ProfileBand, sought: LineTarget) -> bool:
     """Return whether a band stands out, and is as wide as what is sought."""
     least, most = sought.width_px
     kind = sought.looks.kind
-    if band.contrast < _MIN_BAND_CONTRAST or kind == EDGE:
-        return band.contrast >= _MIN_BAND_CONTRAST
+    if band.contrast < MIN_BAND_CONTRAST or kind == EDGE:
+        return band.contrast >= MIN_BAND_CONTRAST
     if not least <= band.width_px <= most or (kind == BAR and band.level < _MIN_LEVEL):
         return False
     return band.balance >= _MIN_BALANCE or not sought.is_wide  # else a part of it

@@ -165,7 +165,7 @@ class ImagePatch:
 
 
 PROFILE_SIGMA_PX = 1.5
-_WIDE_BAND_PX = (
+WIDE_BAND_PX = (
     5.0  # wider bands are flat on top: their centre is the middle between the half heights
 )
 _FLANK_PX = 8.0  # how far from a maximum the ground beside the band is looked for
@@ -217,7 +217,7 @@ def band_at(profile: Sequence[float], peak: int) -> ProfileBand | None:
     if begin is None or end is None:
         return None
     width = (begin + end) * STEP_PX
-    narrow = width <= _WIDE_BAND_PX and min(steps) >= _MAX_IMBALANCE * max(steps)
+    narrow = width <= WIDE_BAND_PX and min(steps) >= _MAX_IMBALANCE * max(steps)
     centre = float(peak) if narrow else peak + (end - begin) / 2
     middle = profile[min(max(round(centre), 0), len(profile) - 1)]
     level = 1.0 - (top - middle) / max(min(steps), 1.0)
@@ -385,20 +385,17 @@ def straighten_curve(
     """
     half = round(reach_px / STEP_PX)
     offsets = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
-    places = course_px[:, None] + across[:, None] * offsets[None, :, None]
-    low = np.floor(places.min(axis=(0, 1))).astype(int) - 1
-    high = np.ceil(places.max(axis=(0, 1))).astype(int) + 2
-    low = np.maximum(low, 0)
-    high = np.minimum(np.maximum(high, low + 1), (picture.shape[1], picture.shape[0]))
-    low = np.minimum(low, high - 1)
-    # Only the part that is needed: remapping wants three channels of its own.
-    part = np.ascontiguousarray(picture[low[1] : high[1], low[0] : high[0], :3])
-    places = (places - low).astype(np.float32)
-    values = cv2.remap(
-        part,
-        np.ascontiguousarray(places[..., 0]),
-        np.ascontiguousarray(places[..., 1]),
-        cv2.INTER_LINEAR,
-        borderMode=cv2.BORDER_REPLICATE,
-    )
-    return StraightenedCurve(np.asarray(values, dtype=np.float32), offsets)
+    values = cut_strip(picture, course_px, across, half)[..., :3]
+    return StraightenedCurve(values.astype(np.float32), offsets)
+
+
+def cut_strip(
+    picture: PixelArray, course_px: FloatArray, across: FloatArray, half: int
+) -> PixelArray:
+    """(n, 2 half + 1, 4) BGRA across each place of a curve, `STEP_PX` apart, of (n, 2) px and unit
+    normals; beyond the picture its last row or column is repeated."""
+    offsets = (np.arange(-half, half + 1) * STEP_PX).astype(np.float32)
+    places, normals = course_px.astype(np.float32), across.astype(np.float32)
+    x, y = (places[:, k, None] + normals[:, k, None] * offsets for k in (0, 1))
+    strip = cv2.remap(picture, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(strip, dtype=np.uint8)

@@ -81,7 +81,7 @@ def snap_to_line(
     height, width = picture.shape[:2]
     x, y = point
     inside = -0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5
-    if not inside or not _is_searchable(sought):
+    if not inside or not is_searchable(sought):
         return None
     wide = math.ceil(sought.width_px[1] / _SHRINK_WIDTH_PX)
     if wide > 1:
@@ -92,7 +92,7 @@ def snap_to_line(
     return _snap_with_direction(patch, point, sought, direction, reach_px)
 
 
-def _is_searchable(sought: LineTarget) -> bool:
+def is_searchable(sought: LineTarget) -> bool:
     """Return whether enough is known: before anything, a bar of any tone and colour is one band of
     many unless a camera shows it there."""
     looks = sought.looks

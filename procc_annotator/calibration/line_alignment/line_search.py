@@ -18,6 +18,7 @@ from procc_annotator.calibration.line_alignment.expected_lines import (
     MarkingPoints,
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
+from procc_annotator.image.line_offsets import band_response, best_columns, colour_differences
 from procc_annotator.image.pixels import PixelArray
 
 Values = NDArray[np.float32]
@@ -93,9 +94,6 @@ _WIDTH_STEPS, _MIN_STEP_PX = 4, STEP_PX
 _FLANK_GAP_STEPS, _FLANK_LENGTH_STEPS = 1, 3
 _AVERAGED_NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
 _PROFILE_MARGIN_STEPS = _WIDTH_STEPS // 2 + _FLANK_GAP_STEPS + _FLANK_LENGTH_STEPS
-_MIN_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
-_RIVAL_RATIO = 0.75  # of a band's contrast: another one that convinces as much
-_RIVAL_MIN_STEPS = 5  # from the band's middle: nearer ones are itself
 # Of a band's contrast: what the grounds next to a narrow line differ by, for its brightest place
 # not
 # to be its middle.
@@ -233,16 +231,16 @@ class _LineProfiles:
         cuts = _sample_profiles(picture, expected, frame, step, half + _PROFILE_MARGIN_STEPS)
         tone = painted.tone[expected.rows]
         values, separates_areas = _profile_values(cuts, tone, painted.element[expected.rows])
-        response = _neighbour_mean(_band_response(values), expected.run)
+        response = _neighbour_mean(band_response(values, _WIDTH_STEPS, half), expected.run)
         return cls(expected, frame.scale, step, half, cuts, values, response, separates_areas)
 
     def best(
         self, reach_px: float | FloatArray
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """See `_best`, no farther off than so many solver px."""
+        """See `best_columns`, no farther off than so many solver px."""
         reach = np.broadcast_to(np.asarray(reach_px) / self.scale, self.step.shape)
         away = np.abs(np.arange(-self.half, self.half + 1)) * self.step[:, None]
-        return _best_columns(self.response, away <= reach[:, None])
+        return best_columns(self.response, away <= reach[:, None])
 
     def offsets(
         self,
@@ -310,40 +308,18 @@ def _profile_values(
     unknown, separates_areas = np.flatnonzero(tone == 0), np.zeros(len(cuts), dtype=bool)
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
-        looks = np.stack([grey, -grey, _steps(cuts[unknown])])
+        looks = np.stack([grey, -grey, colour_differences(cuts[unknown], _WIDTH_STEPS // 2)])
         # An element is painted in one colour, or parts two areas: all of its places decide.
-        strength = [np.maximum(_band_response(own), 0).max(axis=1) for own in looks]
+        half = cuts.shape[1] // 2 - _PROFILE_MARGIN_STEPS
+        strength = [
+            np.maximum(band_response(own, _WIDTH_STEPS, half), 0).max(axis=1) for own in looks
+        ]
         own = element[unknown]
         votes = np.stack([np.bincount(own, s) for s in strength])
         chosen = votes.argmax(axis=0)[own]
         values[unknown] = looks[chosen, np.arange(len(own))]
         separates_areas[unknown] = chosen == len(looks) - 1
     return values, separates_areas
-
-
-def _steps(cuts: PixelArray) -> Values:
-    """(n, m) how much the colours to both sides differ, half a band's width away: an edge between
-    two areas is a band in it, and a line is two, next to each other."""
-    away = _WIDTH_STEPS // 2
-    wide = np.pad(cuts.astype(np.float32), ((0, 0), (away, away), (0, 0)), mode="edge")
-    return np.asarray(np.sqrt(((wide[:, 2 * away :] - wide[:, : -2 * away]) ** 2).mean(axis=2)))
-
-
-def _band_response(values: Values) -> Values:
-    total = np.zeros((len(values), values.shape[1] + 1), dtype=np.float32)
-    np.cumsum(values, axis=1, out=total[:, 1:])
-    inner, flank, gap = _WIDTH_STEPS, _FLANK_LENGTH_STEPS, _FLANK_GAP_STEPS
-    # Half weights at both ends of the band keep its middle on a sample.
-    width = values.shape[1] - 2 * _PROFILE_MARGIN_STEPS
-    begin = _PROFILE_MARGIN_STEPS - inner // 2
-
-    def sum_from(first: int, many: int) -> Values:
-        return total[:, first + many : first + many + width] - total[:, first : first + width]
-
-    band = sum_from(begin, inner) + sum_from(begin + 1, inner)
-    left = sum_from(begin - gap - flank, flank) / flank
-    right = sum_from(begin + inner + gap + 1, flank) / flank
-    return np.asarray(band / (2 * inner) - np.maximum(left, right))
 
 
 def _neighbour_mean(response: Values, run: IntArray) -> Values:
@@ -388,24 +364,3 @@ def _neighbour_rows(run: IntArray) -> Iterator[IntArray]:
     last = np.searchsorted(run, run, side="right") - 1
     for away in range(-_AVERAGED_NEIGHBOURS, _AVERAGED_NEIGHBOURS + 1):
         yield np.clip(rows + away, first, last)
-
-
-def _best_columns(
-    response: Values, within: NDArray[np.bool_]
-) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-    """(n,) column of each place's band, between columns; its contrast; whether it convinces."""
-    columns = np.arange(response.shape[1])
-    allowed = np.where(within, response, -np.inf)
-    best = allowed.argmax(axis=1)
-    rows = np.arange(len(best))
-    contrast = allowed[rows, best].astype(np.float64)
-    # The slope of a band beyond the reach is no band.
-    left = response[rows, np.maximum(best - 1, 0)]
-    right = response[rows, np.minimum(best + 1, response.shape[1] - 1)]
-    is_top = (left <= contrast) & (right <= contrast)
-    convinces = is_top & (contrast >= _MIN_CONTRAST)
-    far = np.abs(columns - best[:, None]) >= _RIVAL_MIN_STEPS
-    rival = np.where(far, allowed, -np.inf).max(axis=1)
-    bend = np.maximum(2 * contrast - left - right, 1e-6)
-    at = best + np.clip((right - left) / (2 * bend), -0.5, 0.5)
-    return at, contrast, convinces & (rival < _RIVAL_RATIO * contrast)

@@ -54,6 +54,7 @@ from procc_annotator.calibration.single_image.proposal import (
 from procc_annotator.calibration.single_image.search import (
     SEARCH_STAGES,
     SEARCH_STAGES_KNOWN,
+    SEARCH_STAGES_WIDE,
     RankedCameras,
     hypotheses_at_positions,
     hypotheses_on_side,
@@ -67,6 +68,7 @@ _REFINED_COUNT, _SEARCH_RADII_PX = 7, (16.0, 8.0, 4.0)
 _REFINEMENT_SCORE_SHARE = 0.7  # of the best one's score before any is refined
 # Cameras that climb: of the main side, of each other one, at a known position.
 _ICP_POINTS, _ICP_POINTS_RIVAL, _ICP_POINTS_KNOWN = 600, 450, 160
+_WIDE_SEARCH = 4  # times as many, where none of these is right
 _DISTINCT_CAMERA_PX = 15.0  # farther apart, two cameras show something else
 _MIN_ALIGNED_COVERAGE = 0.5  # of an element in sight, for it to be found
 _MIN_POSITION_SD_M = 0.05
@@ -158,15 +160,16 @@ def best_candidate(
     *,
     known: Sequence[KnownPosition],
     elsewhere: bool,
+    wide: bool,
     go_on: Callable[[], None],
 ) -> BestCandidate | None:
-    """The best camera of a picture (H, W, 4) with square pixels, at known positions and elsewhere;
-    None if there is paint next to none."""
+    """The best camera of a picture (H, W, 4) with square pixels, at known positions and elsewhere,
+    ``wide`` from more starts; None if there is paint next to none."""
 
     def search(places: Sequence[KnownPosition | None]) -> BestCandidate | None:
         found = []
         for place in places:
-            scene, cameras = search_scene(field, lines, paint, place, go_on)
+            scene, cameras = search_scene(field, lines, paint, place, go_on, wide=wide)
             found.append(refine_candidates(picture, field, scene, cameras))
         there = [best for best in found if best is not None]
         return max(there, key=lambda best: best.score, default=None)
@@ -181,27 +184,31 @@ def search_scene(
     paint: ImageLinePixels,
     place: KnownPosition | None,
     go_on: Callable[[], None],
+    *,
+    wide: bool = False,
 ) -> tuple[SearchScene, RankedCameras]:
     """The cameras that suit the line pixels of a picture best."""
     half_height = float(round(paint.half_height))
     if place is None:
-        scene = SearchScene(lines, paint)
+        scene, stages = SearchScene(lines, paint), SEARCH_STAGES_WIDE if wide else SEARCH_STAGES
+        more = _WIDE_SEARCH if wide else 1
         hypotheses = [
             (
                 hypotheses_on_side(lines, half_height, side),
-                _ICP_POINTS if side == 0 else _ICP_POINTS_RIVAL,
+                more * (_ICP_POINTS if side == 0 else _ICP_POINTS_RIVAL),
             )
             for side in _allowed_sides(field)
         ]
     else:
         x, y, z = place.position_m.tolist()
-        scene = SearchScene(lines, paint, _prior_at_position(place, lines))
+        scene, stages = (
+            SearchScene(lines, paint, _prior_at_position(place, lines)),
+            SEARCH_STAGES_KNOWN,
+        )
         hypotheses = [
             (hypotheses_at_positions(lines, half_height, ((x, y, z),)), _ICP_POINTS_KNOWN)
         ]
-    found = search_cameras(
-        scene, hypotheses, go_on, SEARCH_STAGES if place is None else SEARCH_STAGES_KNOWN
-    )
+    found = search_cameras(scene, hypotheses, go_on, stages)
     if place is not None and place.camera is not None:
         found = with_hypothesis(scene, found, vector_from_camera(place.camera, paint.frame))
     if place is None and field.half_turn is not None:

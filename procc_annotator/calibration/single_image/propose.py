@@ -107,10 +107,16 @@ def propose_camera(
         return _no_proposal(size, f"{field.title} has no painted lines to look for")
     pixels = field.pixels
     possible = possible_pixel_aspects(size) if pixels is None else (pixels,)
+    elsewhere = elsewhere or not known
     found = [
         found_camera(picture, field, aspect.value, known=known, elsewhere=elsewhere, go_on=go_on)
         for aspect in possible
     ]
+    if elsewhere and not any(one is None or one.is_possible for one in found):
+        found = [
+            found_camera(picture, field, aspect.value, known=known, wide=True, go_on=go_on)
+            for aspect in possible
+        ]
     if len(found) > 1:
         pixels = most_probable_aspect(possible, [[one.sample if one else None] for one in found])
     best = found[[one.value for one in possible].index(pixels.value)] if pixels else found[0]
@@ -135,6 +141,11 @@ class FoundCamera:
     evidence: ProposalEvidence
 
     @property
+    def is_possible(self) -> bool:
+        """Whether it is more likely right than wrong."""
+        return probability_right(self.evidence) >= POSSIBLE_FROM
+
+    @property
     def sample(self) -> AspectSample:
         """What it says of the pixels."""
         return AspectSample(self.evidence, self.candidate.candidate.vector[POSITION_SLICE])
@@ -147,9 +158,11 @@ def found_camera(
     *,
     known: Sequence[KnownPosition] = (),
     elsewhere: bool = True,
+    wide: bool = False,
     go_on: Callable[[], None] = lambda: None,
 ) -> FoundCamera | None:
-    """The best camera of a picture with pixels so many times as wide as high; None without any."""
+    """The best camera of a picture with pixels so many times as wide as high, searched ``wide``
+    from more starts; None without any."""
     size = (picture.shape[1], picture.shape[0])
     picture = with_square_pixels(picture, aspect)
     lines, paint = field_line_points(field), line_pixels_for_field(picture, field)
@@ -161,7 +174,7 @@ def found_camera(
         for place in known
     ]
     best = best_candidate(
-        picture, field, lines, paint, known=known, elsewhere=elsewhere or not known, go_on=go_on
+        picture, field, lines, paint, known=known, elsewhere=elsewhere, wide=wide, go_on=go_on
     )
     return None if best is None else FoundCamera(best, best.evidence(picture, field))
 

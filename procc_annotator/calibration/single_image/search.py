@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import cv2
@@ -279,6 +279,8 @@ SEARCH_STAGES = (
     SearchStage((20, 16, 12, 10), 64, 100, 5.0, (120, 300), 0.01, 16, 6.0, "P", 2, (0.7, 1.35)),
     SearchStage((12, 8, 6, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4, (0.85, 1.2)),
 )
+# From four times as many starts, where none of the usual ones led to a camera that is likely right.
+SEARCH_STAGES_WIDE = (replace(SEARCH_STAGES[0], kept=140), *SEARCH_STAGES[1:])
 # Where the position is known, few cameras are left that differ.
 SEARCH_STAGES_KNOWN = (
     SearchStage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 40),

@@ -29,8 +29,10 @@ from procc_annotator.calibration.single_image.icp_refinement import line_pixels_
 from procc_annotator.calibration.single_image.probability import (
     FEATURES,
     MODEL_FILE,
+    POSSIBLE_FROM,
     SURE_FROM,
     LogisticModel,
+    probability_right,
 )
 from procc_annotator.camera.base import Camera, scaled_camera
 from procc_annotator.camera.models import PinholeCamera
@@ -152,8 +154,11 @@ def examples(judged: Judged) -> list[dict[str, object]]:
     rows: list[dict[str, object]] = []
     if len(paint.on_ground) < 60:
         return rows
-    scene, found = search_scene(field, lines, paint, None, lambda: None)
-    best = refine_candidates(picture, field, scene, found)
+    for wide in (False, True):  # as `propose_camera` does
+        scene, found = search_scene(field, lines, paint, None, lambda: None, wide=wide)
+        best = refine_candidates(picture, field, scene, found)
+        if best and probability_right(best.evidence(picture, field)) >= POSSIBLE_FROM:
+            break
     for first in (True, False):
         if best is None:
             break

@@ -32,13 +32,21 @@ from procc_annotator.calibration.single_image.probability import (
     probability_right,
 )
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
-from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.single_image.propose import found_camera, propose_camera
 from procc_annotator.calibration.single_image.search import RankedCameras
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import PixelAspect
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
-from tests.drawn_shots import PICTURE_SIZE, Look, Stage, draw, looking_at, stage_of
+from tests.drawn_shots import (
+    PICTURE_SIZE,
+    Look,
+    Stage,
+    draw,
+    looking_at,
+    random_camera,
+    stage_of,
+)
 
 BROADCAST = Look(noise=3.0, jpeg_quality=70)
 MAIN = (2.0, 68.0, -16.0)
@@ -173,6 +181,18 @@ def test_deviations_hold_the_position():
 def test_the_same_picture_gives_the_same_camera():
     again = propose_camera(_drawn()[1].copy(), _stage().field)
     assert again.fit.camera == _anywhere().fit.camera
+
+
+def test_searches_from_more_starts_where_the_usual_ones_find_no_probable_camera():
+    field, size = _stage().field, (960, 540)
+    camera = random_camera(field, np.random.default_rng(10), size)
+    picture = draw(_stage(), camera, size, seed=10, look=BROADCAST)
+    usual = found_camera(picture, field)
+    assert usual is not None
+    assert not usual.is_possible
+    found = propose_camera(picture, field)
+    assert found.state == "sure"
+    assert _worst_px(camera, found.fit.camera, size) < 4
 
 
 def test_a_known_position_is_kept():
