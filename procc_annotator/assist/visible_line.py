@@ -44,12 +44,16 @@ def smooth_inliers(
     possible = np.abs(level) + np.abs(slopes) <= reach + 1.0
     level = np.concatenate([level[possible], values])
     slopes = np.concatenate([slopes[possible], np.zeros(len(values))])
-    apart = np.abs(level[:, None] + slopes[:, None] * places - values)
+    away = slopes[:, None] * places
+    away += level[:, None]
+    away -= values
+    away /= 2 * AGREE_PX
+    away *= away
     # Many that agree, and well; near the prediction where that leaves a choice.
-    merit = np.maximum(1.0 - (apart / (2 * AGREE_PX)) ** 2, 0.0).sum(axis=1)
+    merit = len(values) - np.minimum(away, 1.0).sum(axis=1)
     merit -= 0.1 * (np.abs(level) + np.abs(slopes)) / reach
     best = int(merit.argmax())
-    kept = apart[best] <= 2 * AGREE_PX
+    kept = away[best] <= 1.0
     coefficients = np.array([level[best], slopes[best]])
     for _ in range(4):
         used = min(terms, max(1, int(kept.sum()) // 3))

@@ -38,6 +38,9 @@ _Flags = NDArray[np.bool_]
 
 # Decoding forward costs 2 ms per frame (1920 x 1080), a seek as much as its group of frames.
 _NEARBY_PACKETS = 48
+# Read backwards, frames are decoded from the key frame before them: as many are kept, as they come
+# out of the decoder (4:2:0).
+_BACKWARD_BYTES, _BYTES_PER_PIXEL = 256 << 20, 1.5
 _COMPARED_PACKETS = (
     12  # frames that must come out in the order of their times before these are trusted
 )
@@ -397,7 +400,7 @@ class FrameReader:
         """
         self._path, self._index = path, index
         self._frames: dict[int, VideoFrame | None] = {}  # those that came out; None: not needed
-        self._wanted = self._judged = self._next = 0
+        self._wanted = self._judged = self._next = self._oldest = 0
         self._packets: Iterator[Packet] = iter(())
         self._open()
 
@@ -411,17 +414,19 @@ class FrameReader:
         Raises:
             ImageError: the file cannot be opened any more.
         """
-        index, self._wanted = self._index, number
+        index, is_backwards, self._wanted = self._index, number < self._wanted, number
         if index.is_damaged(number):
             return None
-        if self._frames.get(number) is None and not 0 <= number - self._next < _NEARBY_PACKETS:
-            self._begin(number)
+        if self._frames.get(number) is None:
+            self._oldest = number - self._kept_back if is_backwards else number
+            if not 0 <= number - self._next < _NEARBY_PACKETS:
+                self._begin(number)
         while self._next <= index.reach[index.places[number]] and self._advance():
             pass
         missing = [n for n in range(self._judged, self._next) if n not in self._frames]
         index.lost[index.places[missing]] = True
         self._judged = self._next
-        self._frames = {n: frame for n, frame in self._frames.items() if n >= number}
+        self._frames = {n: frame for n, frame in self._frames.items() if n >= self._oldest}
         frame = self._frames.get(number)
         return None if frame is None or index.is_damaged(number) else bgra_from_frame(frame)
 
@@ -472,6 +477,8 @@ class FrameReader:
     def _open(self) -> None:
         self._container, self._stream = open_container(self._path)
         self._unit = float(self._stream.time_base or 1)
+        pixels = self._stream.codec_context.width * self._stream.codec_context.height
+        self._kept_back = int(_BACKWARD_BYTES / _BYTES_PER_PIXEL / max(pixels, 1))
         self._packets = _packets(self._container, self._stream)
 
     def _advance(self) -> bool:
@@ -501,4 +508,4 @@ class FrameReader:
         if index.keys[place] and place and frame.pict_type not in _INTRA_PROFILES:
             index.keys[place] = False
         if not frame.is_corrupt:
-            self._frames[number] = frame if number >= self._wanted else None
+            self._frames[number] = frame if number >= self._oldest else None

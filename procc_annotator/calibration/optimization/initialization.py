@@ -252,16 +252,19 @@ def initial_cameras_at_position(
 
 def camera_side(vector: FloatArray, around: CameraPlacementPrior) -> int:
     """Index in `SIDES` of the side a camera stands on: the one it is farthest outside of."""
-    x, y = float(vector[X]), float(vector[Y])
-    outside = (
-        y - around.half_width,
-        -y - around.half_width,
-        -x - around.half_length,
-        x - around.half_length,
-    )
-    if around.ceiling and max(outside) < 0 and -vector[Z] > around.ceiling / 2:
-        return ABOVE_SIDE
-    return int(np.argmax(outside))
+    return int(camera_sides(vector[None], around)[0])
+
+
+def camera_sides(vectors: FloatArray, around: CameraPlacementPrior) -> IntArray:
+    """(B,) of cameras (B, 11); see `camera_side`."""
+    x, y = vectors[:, X], vectors[:, Y]
+    half_width, half_length = around.half_width, around.half_length
+    outside = np.array([y - half_width, -y - half_width, -x - half_length, x - half_length])
+    sides = outside.argmax(axis=0)
+    if around.ceiling:
+        above = (outside.max(axis=0) < 0) & (-vectors[:, Z] > around.ceiling / 2)
+        sides[above] = ABOVE_SIDE
+    return np.asarray(sides)
 
 
 def search_prior(sides: IntArray, around: CameraPlacementPrior, free: int) -> GaussianPrior:

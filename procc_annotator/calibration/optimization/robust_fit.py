@@ -25,6 +25,7 @@ from procc_annotator.calibration.optimization.camera_placement import (
 )
 from procc_annotator.calibration.optimization.initialization import (
     camera_side,
+    camera_sides,
     initial_cameras,
     prior_near,
     search_prior,
@@ -410,7 +411,7 @@ def _fit_best_starts(
         seen = whitened(scene.seen, linear_map(vectors[0]))
         residuals = partial(scene.residuals(free), seen=seen, thorough=False)
         # A search may have led round a corner: what is expected of a camera goes by where it is.
-        prior = wide_prior(_camera_sides(vectors, scene.around), scene.around, free)
+        prior = wide_prior(camera_sides(vectors, scene.around), scene.around, free)
         problem = Problem(residuals, seen.weights, ROBUST_LOSS, prior, bounded=KAPPA)
         requests.append(SolveRequest(problem, vectors, 20, 1e-3, _HOPELESS_RATIO))
     finals = [
@@ -424,7 +425,7 @@ def _final_start(scene: FitScene, vectors: FloatArray, robust: Solution, model: 
     """The best of the robust searches from (B, 11) starts, and the elements it leaves out."""
     seen, around = whitened(scene.seen, linear_map(vectors[0])), scene.around
     free = min(FREE_PARAMETERS[model], FREE_PARAMETERS["R"])
-    best = _best_plausible_row(robust, _camera_sides(vectors, around), around)
+    best = _best_plausible_row(robust, camera_sides(vectors, around), around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE_PARAMETERS[model])
     distances = robust.distances[best]
@@ -434,10 +435,6 @@ def _final_start(scene: FitScene, vectors: FloatArray, robust: Solution, model: 
         distances = scene.residuals(free)(chosen, seen).distances[0]
     left_out = outlier_elements(seen, distances)
     return seen, chosen, left_out, scene.residuals(FREE_PARAMETERS[model]), prior
-
-
-def _camera_sides(vectors: FloatArray, around: CameraPlacementPrior) -> IntArray:
-    return np.array([camera_side(vector, around) for vector in vectors], dtype=np.intp)
 
 
 def _best_plausible_row(solution: Solution, sides: IntArray, around: CameraPlacementPrior) -> int:

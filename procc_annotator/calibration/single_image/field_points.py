@@ -188,7 +188,7 @@ def _points_of_elements(painted: MarkingPoints, names: frozenset[str]) -> IntArr
 
 
 _MIN_DEPTH_M, _VIEW_BORDER_PX, _MAX_STEP_PX = 1.0, 6.0, 120.0
-_VIEW_BATCH = 512  # cameras: more at once take more memory, fewer more calls
+_VIEW_BATCH = 64  # cameras: more at once leave the processor's cache, fewer take more calls
 _COMPARED_POINTS = 40  # places
 
 

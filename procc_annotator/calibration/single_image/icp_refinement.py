@@ -15,7 +15,7 @@ from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import FREE_PARAMETERS, Z
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.calibration.optimization.initialization import (
-    camera_side,
+    camera_sides,
     side_costs,
     wide_prior,
 )
@@ -395,7 +395,7 @@ class SearchScene:
         on."""
         if self.known is not None:
             return GaussianPrior(self.known.mean[:, :free], self.known.inverse_sd[:, :free])
-        return wide_prior(self._sides(vectors), self.lines.around, free)
+        return wide_prior(camera_sides(vectors, self.lines.around), self.lines.around, free)
 
     def unlikeliness(self, vectors: FloatArray) -> FloatArray:
         """(B,) half the squared deviations from where cameras are expected, lens left out; more on
@@ -404,12 +404,8 @@ class SearchScene:
         off = (vectors[:, : FREE_PARAMETERS["P"]] - prior.mean) * prior.inverse_sd
         cost = np.asarray((off**2).sum(axis=1) / 2)
         if self.known is None:
-            cost += side_costs(self._sides(vectors), self.lines.around)
+            cost += side_costs(camera_sides(vectors, self.lines.around), self.lines.around)
         return cost
-
-    def _sides(self, vectors: FloatArray) -> IntArray:
-        around = self.lines.around
-        return np.array([camera_side(vector, around) for vector in vectors], dtype=np.intp)
 
 
 def refine_by_icp(

@@ -56,6 +56,7 @@ _NEAREST_VIEW, _FARTHEST_VIEW = 0.75, 1.5  # of the usual distance from the side
 _MATCH_DISTANCE_PX, _MISMATCH_DISTANCE_PX, _MISMATCH_WEIGHT = 12.0, 45.0, 0.5
 _BORDER_CELLS = 5
 _BATCH_CAMERAS = 8000
+_GRID_BATCH = 500  # cameras whose grids stay in the processor's cache: 19 instead of 47 ms
 _PRESELECTED = 12000  # so many of the best are looked at from the paint, too
 # Of cameras from a file, which are computed anew; the share of their cells that has to be the same:
 # rounding may differ with the number of cameras computed at once.
@@ -84,7 +85,9 @@ class CameraHypotheses:
         near = paint.near.coarser(DISTANCE_CELL_PX // paint.near.cell)
         on_paint = self._on_paint(near, paint)
         some = _top_indices(on_paint, _PRESELECTED)
-        explained = CoarseLineGrid.of(paint, DISTANCE_CELL_PX).explained(self.cells[some])
+        grid = CoarseLineGrid.of(paint, DISTANCE_CELL_PX)
+        parts = np.split(some, range(_GRID_BATCH, len(some), _GRID_BATCH))
+        explained = np.concatenate([grid.explained(self.cells[part]) for part in parts])
         return self.vectors[some[_top_indices(on_paint[some] * explained, most)]]
 
     def _on_paint(self, near: LineDistanceMaps, paint: ImageLinePixels) -> FloatArray:
@@ -98,7 +101,7 @@ class CameraHypotheses:
         rim = cv2.dilate(ground, np.ones((_BORDER_CELLS, _BORDER_CELLS), np.uint8)) > 0
         table = np.rint(np.where(rim, value, -_MISMATCH_WEIGHT) * 100).astype(np.int8).ravel()
         found = [
-            table[self.cells[first : first + _BATCH_CAMERAS]].sum(axis=1, dtype=np.int32)
+            table.take(self.cells[first : first + _BATCH_CAMERAS]).sum(axis=1, dtype=np.int32)
             for first in range(0, len(self.cells), _BATCH_CAMERAS)
         ]
         return np.asarray(np.concatenate(found) * np.sqrt(self.length_px))

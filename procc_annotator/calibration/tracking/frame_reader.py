@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import takewhile
 
 import numpy as np
 
@@ -26,14 +27,6 @@ from procc_annotator.image.pixels import PixelArray
 ReadFrame = Callable[[int], PixelArray]
 
 _READ_AHEAD_FRAMES = 3
-# Pictures read forwards, to be given out backwards: at first so many, then as many as fit, for a
-# video is decoded from the key frame before them each time.
-_BACKWARD_FIRST_FRAMES, _BACKWARD_MAX_BYTES, _BACKWARD_MIN_FRAMES, _BACKWARD_MAX_FRAMES = (
-    24,
-    256 << 20,
-    12,
-    96,
-)
 _CUT_WINDOW = 6  # frames to either side that a cut stands out of, see `image.motion`
 
 
@@ -109,15 +102,13 @@ def _read_ahead(
 ) -> Iterator[tuple[int, PixelArray, MotionImage, FrameSignature]]:
     """Return what a thread has read ahead, in the order asked for."""
     stopped = threading.Event()
-    frames = (
-        (
-            number,
-            picture,
-            motion_image(picture) if to_follow else EMPTY_MOTION_IMAGE,
-            frame_signature(picture[:, :, :3]),
-        )
-        for number, picture in _images_in_order(frame, numbers, stopped)
-    )
+
+    def read(number: int) -> tuple[int, PixelArray, MotionImage, FrameSignature]:
+        picture = frame(number)
+        small = motion_image(picture) if to_follow else EMPTY_MOTION_IMAGE
+        return number, picture, small, frame_signature(picture[:, :, :3])
+
+    frames = map(read, takewhile(lambda _: not stopped.is_set(), numbers))
     with ThreadPoolExecutor(1, "frames ahead") as reader:
         try:
             ahead = deque(reader.submit(next, frames, None) for _ in range(_READ_AHEAD_FRAMES))
@@ -127,32 +118,6 @@ def _read_ahead(
         finally:
             stopped.set()
             reader.shutdown(cancel_futures=True)
-
-
-def _images_in_order(
-    frame: ReadFrame, numbers: Sequence[int], stopped: threading.Event
-) -> Iterator[tuple[int, PixelArray]]:
-    """Pictures in the order of their numbers, read forwards: videos cannot be read backwards."""
-    if len(numbers) < 2 or numbers[1] > numbers[0]:
-        for number in numbers:
-            if stopped.is_set():
-                return
-            yield number, frame(number)
-        return
-    begin, count = 0, _BACKWARD_FIRST_FRAMES
-    while begin < len(numbers):
-        read = []
-        for number in reversed(numbers[begin : begin + count]):
-            if stopped.is_set():
-                return
-            read.append((number, frame(number)))
-        begin += count
-        count = min(
-            max(_BACKWARD_MAX_BYTES // read[0][1].nbytes, _BACKWARD_MIN_FRAMES),
-            _BACKWARD_MAX_FRAMES,
-        )
-        while read:
-            yield read.pop()
 
 
 def shot_range_around(

@@ -112,8 +112,9 @@ _PROPOSAL_OFFSETS = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 200
 
 # Circle, halfway line and touchline suit cameras near and far, zoomed accordingly: a sure camera
 # stood 15 m off (with lines known to 1 px its standard deviation is 5.7 m), and lines that came
-# into sight were missed. Where a position is known worse than this, more cameras are proposed.
-_MAX_POSITION_SD_M, _POSITION_TRIES = 3.0, 10
+# into sight were missed. Where a position is known worse than this, more cameras are proposed, so
+# many frames apart: another view is needed, and a proposal takes as long as following 30 frames.
+_MAX_POSITION_SD_M, _POSITION_TRIES, _TRIED_FRAMES = 3.0, 5, 40
 # For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
 # For the share of its line pixels that a doubtful frame explains, twice a second.
 _LOOKED_FRAMES, _EXPLAINED_FRAMES = 25, 12
@@ -526,7 +527,7 @@ class _ShotTracker:
         """The first frame for which a camera is proposed, sure, and determined in its position, and
         what is believed of it; else of some sure ones the one whose position is known best."""
         since, reason = begin, ""
-        least, tries = np.inf, 0
+        least, tries, tried = np.inf, 0, begin
         best: tuple[int, GaussianState] | None = None
         known = self._position_near(begin) or self.known
         for now in decoded_frames(self.frame, range(begin, end + 1)):
@@ -536,7 +537,9 @@ class _ShotTracker:
             if now.begins:
                 since, known = now.number, self.known
                 self.begins.add(now.number)
-            if now.number - since in _PROPOSAL_OFFSETS:
+            is_view_new = best is None or now.number - tried >= _TRIED_FRAMES
+            if is_view_new and now.number - since in _PROPOSAL_OFFSETS:
+                tried = now.number
                 proposal = self.propose(now.picture, self.field, known)
                 reason = proposal.reason
                 tries += best is not None

@@ -198,6 +198,7 @@ def test_of_sure_cameras_the_first_one_with_a_known_position_is_followed(monkeyp
         fit = FitResult("R", SIZE, true[number], vector=vector_from_camera(true[number], FRAME))
         return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
 
+    monkeypatch.setattr(shot_tracker, "_TRIED_FRAMES", 20)
     found = track_shot(pictures.__getitem__, range(count), FIELD, propose=propose)
     assert asked == [0, 20]
     assert [f.number for f in found.frames if f.anchor_distance == 0] == [20]
