@@ -363,58 +363,12 @@ def wrong_side_findings(
             _relabelled_elements(clicked, dict((pair, pair[::-1])), field), field, frame
         ).all
     ]
-    if not swaps and len(exchanged := _exchanged_points(clicked, found, field, frame)) == 1:
-        return (_exchanged_points_finding(*exchanged[0], names, field),)
     return (_several_elements_finding(common, swaps, found, field, names),)
 
 
 def _concerns_all(names: Iterable[str], found: Contradictions) -> bool:
     """Whether each contradiction is with one of some classes: others would remain."""
     return not any(frozenset(names).isdisjoint(some) for some in found.all)
-
-
-def _exchanged_points(
-    clicked: Sequence[AnnotatedElement], found: Contradictions, field: Field, frame: ImageFrame
-) -> list[tuple[frozenset[str], frozenset[str]]]:
-    """Pairs of points that, exchanged, contradict nothing: the classes that share each. Points that
-    several elements share are those of keypoints, which get names like elements."""
-    names_at: dict[tuple[float, ...], set[str]] = {}
-    for one in clicked:
-        for point in one.points.tolist():
-            names_at.setdefault(tuple(point), set()).add(one.name)
-    shared = {place: frozenset(names) for place, names in names_at.items() if len(names) > 1}
-    pairs = []
-    for a, b in combinations(shared, 2):
-        if not _concerns_all(shared[a] | shared[b], found):
-            continue
-        other = {a: b, b: a}
-        trial = [
-            replace(one, points=np.array([other.get(tuple(p), p) for p in one.points.tolist()]))
-            for one in clicked
-        ]
-        if not contradictions(trial, field, frame).all:
-            pairs.append((shared[a], shared[b]))
-    return pairs
-
-
-def _exchanged_points_finding(
-    one: frozenset[str], other: frozenset[str], names: Sequence[str], field: Field
-) -> Finding:
-    titles = [
-        translatable_all([translatable(field.title_of(name)) for name in names if name in some])
-        for some in (one, other)
-    ]
-    return Finding(
-        Rule.SIDE,
-        Severity.ERROR,
-        tuple(name for name in names if name in one | other),
-        translatable(
-            "two points are exchanged: the one of {some} and the one of {others}",
-            some=titles[0],
-            others=titles[1],
-        ),
-        (LOOK,),
-    )
 
 
 def _relabelled_elements(
