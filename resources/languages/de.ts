@@ -59,6 +59,11 @@
    <translation>alle Klassen passen, wenn links und rechts vertauscht sind</translation>
   </message>
   <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
+  </message>
+  <message>
    <source>look at point {number}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>Punkt {number} ansehen</translation>
@@ -69,14 +74,14 @@
    <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
   </message>
   <message>
+   <source>two points are exchanged: the one of {some} and the one of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>zwei Punkte sind vertauscht: der von {some} und der von {others}</translation>
+  </message>
+  <message>
    <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>Elemente liegen im Mittel {after:.1f} px daneben; so, wie sie sind, passt keine Kamera</translation>
-  </message>
-  <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
   </message>
   <message>
    <source>{a} and {b} fit with each other's label</source>

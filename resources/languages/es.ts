@@ -59,6 +59,11 @@
    <translation>todas las clases encajan con izquierda y derecha intercambiadas</translation>
   </message>
   <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>los elementos están de media a {after:.1f} px, a {before:.1f} px tal como están</translation>
+  </message>
+  <message>
    <source>look at point {number}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>mirar el punto {number}</translation>
@@ -69,14 +74,14 @@
    <translation>el punto {number} de {title} está a {off:.0f} px, sus otros puntos a lo sumo a {rest:.1f} px</translation>
   </message>
   <message>
+   <source>two points are exchanged: the one of {some} and the one of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>dos puntos están intercambiados: el de {some} y el de {others}</translation>
+  </message>
+  <message>
    <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>los elementos están de media a {after:.1f} px, ninguna cámara encaja con las clases tal como están</translation>
-  </message>
-  <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>los elementos están de media a {after:.1f} px, a {before:.1f} px tal como están</translation>
   </message>
   <message>
    <source>{a} and {b} fit with each other's label</source>

@@ -59,6 +59,11 @@
    <translation>toutes les classes conviennent avec gauche et droite échangées</translation>
   </message>
   <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>les éléments sont en moyenne à {after:.1f} px, à {before:.1f} px tels quels</translation>
+  </message>
+  <message>
    <source>look at point {number}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>aller voir le point {number}</translation>
@@ -69,14 +74,14 @@
    <translation>le point {number} de {title} est à {off:.0f} px, ses autres points au plus à {rest:.1f} px</translation>
   </message>
   <message>
+   <source>two points are exchanged: the one of {some} and the one of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>deux points sont échangés : celui de {some} et celui de {others}</translation>
+  </message>
+  <message>
    <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>les éléments sont en moyenne à {after:.1f} px, aucune caméra ne convient aux classes telles quelles</translation>
-  </message>
-  <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>les éléments sont en moyenne à {after:.1f} px, à {before:.1f} px tels quels</translation>
   </message>
   <message>
    <source>{a} and {b} fit with each other's label</source>

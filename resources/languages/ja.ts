@@ -59,6 +59,11 @@
    <translation>左と右を入れ替えると、すべてのクラスが合います</translation>
   </message>
   <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>要素のずれは平均 {after:.1f} px、今のままでは {before:.1f} px</translation>
+  </message>
+  <message>
    <source>look at point {number}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>点 {number} を確認する</translation>
@@ -69,14 +74,14 @@
    <translation>{title} の点 {number} は {off:.0f} px ずれています（ほかの点は最大 {rest:.1f} px）</translation>
   </message>
   <message>
+   <source>two points are exchanged: the one of {some} and the one of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>2 つの点が入れ替わっています：{some} の点と {others} の点</translation>
+  </message>
+  <message>
    <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>要素のずれは平均 {after:.1f} px、今のクラスのままではどのカメラも合いません</translation>
-  </message>
-  <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>要素のずれは平均 {after:.1f} px、今のままでは {before:.1f} px</translation>
   </message>
   <message>
    <source>{a} and {b} fit with each other's label</source>

@@ -59,6 +59,11 @@
    <translation>左右互换后所有类别都吻合</translation>
   </message>
   <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>元素平均偏离 {after:.1f} px，按现状为 {before:.1f} px</translation>
+  </message>
+  <message>
    <source>look at point {number}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>查看第 {number} 点</translation>
@@ -69,14 +74,14 @@
    <translation>{title} 的第 {number} 点偏离 {off:.0f} px，其他点最多 {rest:.1f} px</translation>
   </message>
   <message>
+   <source>two points are exchanged: the one of {some} and the one of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>两个点互换了：{some} 的点与 {others} 的点</translation>
+  </message>
+  <message>
    <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>元素平均偏离 {after:.1f} px，按现有类别没有吻合的相机</translation>
-  </message>
-  <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>元素平均偏离 {after:.1f} px，按现状为 {before:.1f} px</translation>
   </message>
   <message>
    <source>{a} and {b} fit with each other's label</source>
