@@ -12,6 +12,8 @@ from procc_annotator.calibration.line_alignment.control_points import (
     ControlPoint,
     align_with_control_points,
 )
+from procc_annotator.calibration.optimization.camera_placement import too_few_elements_text
+from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS
 from procc_annotator.calibration.result import (
     FitResult,
     external_camera_fit,
@@ -132,6 +134,8 @@ def anchor_camera(
     if fit.camera is None:
         return None, fit.failure or ""
     why = ill_conditioned_reason(fit)
+    if len(fit.elements) <= MIN_ELEMENTS:  # a wrong one among them would fit as well
+        why = too_few_elements_text(len(fit.elements), MIN_ELEMENTS + 1)
     return (None, why) if why else (fit.camera, "")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,12 +27,11 @@ from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
 )
 from procc_annotator.calibration.optimization.covariance import (
-    estimate_element_offsets,
+    estimate_noise,
     is_opposite_end_possible,
     max_direction_sd,
     parameter_covariance,
     picture_distances,
-    point_error_sd,
     projected_covariance,
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame, used_point_indices
@@ -119,8 +118,8 @@ class FitResult:
         deviations: of the pose; None for a homography.
         error_px: standard deviation of a point across its element, px of the picture.
         parameters: names of the n free parameters.
-        covariance: (n, n) of those, in the units of `fit.models`: what the noise of the clicks
-            leaves open, and what elements that lie next to the model as a whole do to it.
+        covariance: (n, n) of those, in the units of `camera_parameters`: by clicks, prior and what
+            the points of an element share.
         warm: whether the camera was found from the start that was given.
         vector: (11,) the solver's parameters of a pinhole, (13,) of a strong lens, or (8,)
             corrections of `basis`.
@@ -128,9 +127,13 @@ class FitResult:
         chosen_because: why this model, in a sentence; None if it was asked for.
         other_end: whether the points may as well be seen from the other end of the field, half a
             turn about its centre; standard deviations say nothing of that.
-        offset_px: standard deviation of what an element lies next to the model by, all its points
-            together, px of the picture; see `calibration.optimization.covariance`.
-        of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
+        offset_px: standard deviation of what all points of an element share, across, px of the
+            picture; mean over the points.
+        of_clicks: (n, n) the part of the covariance by clicks and prior alone.
+        information: (n, n) of points and prior, the points weighed as in the fit.
+        if_shared: (n, n) the covariance if elements share errors at all, as annotated ones do.
+        shared_if_any: standard deviations of these, on the ground, m, and across, px of the
+            picture.
         fitted_on: `annotation_digest` of what it was fitted to, where that is kept.
         pixel_aspect: width over height of the picture's pixels that it was fitted for; ``error_px``
             and ``offset_px`` are then multiples of their height.
@@ -152,6 +155,9 @@ class FitResult:
     other_end: bool = False
     offset_px: float = 0.0
     of_clicks: FloatArray | None = None
+    information: FloatArray | None = None
+    if_shared: FloatArray | None = None
+    shared_if_any: tuple[float, float] = (0.0, 0.0)
     fitted_on: str | None = None
     pixel_aspect: float = 1.0
 
@@ -208,9 +214,33 @@ class FitResult:
         squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
         return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
 
+    def annotated_sd(self, points_world: FloatArray, normals: FloatArray) -> FloatArray:
+        """Standard deviation of where elements are annotated that took no part: of the camera, of
+        what all points of such an element share, and of a click.
+
+        Args:
+            points_world: (N, 3) metres, world frame.
+            normals: (N, 2) unit vectors in the picture, the directions in question.
+
+        Returns:
+            (N,) px; NaN as for `projected_covariance`.
+        """
+        assert self.camera is not None  # for callers to check
+        here = self.camera.project(points_world)[0]
+        shared_m, shared_px = self.shared_if_any
+        by_camera = self if self.if_shared is None else replace(self, covariance=self.if_shared)
+        squares = by_camera.projected_sd(points_world, normals) ** 2
+        squares += (self.error_px or 0.0) ** 2 + shared_px**2
+        for step in _DISPLACEMENT_M * np.eye(3)[:2]:
+            moved = self.camera.project(points_world + step)[0] - here
+            squares += (shared_m / _DISPLACEMENT_M * (moved * normals).sum(axis=1)) ** 2
+        return np.asarray(np.sqrt(squares))
+
+
+_DISPLACEMENT_M = 0.01  # for derivatives by differences
 
 # Standard deviations beyond which a camera is hardly determined: about twice what the worst of the
-# 186 frames of World Cup 2014 have (model R: 0.4 degrees, 5.3 m of some 70 m, 5.5 % of the focal
+# 186 frames of World Cup 2014 have (model R: 0.5 degrees, 6.4 % of the way, 7 % of the focal
 # length).
 MAX_ANGLE_SD_DEGREES = 1.0
 MAX_POSITION_SD_SHARE = 0.15  # of the way to the centre of the field
@@ -278,10 +308,10 @@ _ASSUMED_SD_PX = 1.5
 
 @dataclass(frozen=True, eq=False)
 class ExternalCameraFit(FitResult):
-    """A fit no one made: every element may lie next to the camera as a whole, by the same."""
+    """A camera that was not fitted: elements are annotated within `error_px` of it."""
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
-        """(N, 2, 2) px squared: none but that of `offset_px`."""
+        """(N, 2, 2) px squared: none."""
         return np.zeros((len(points_world), 2, 2))
 
 
@@ -294,7 +324,7 @@ def external_camera_fit(
         camera: in px of the picture.
         size: (width, height) px.
     """
-    return ExternalCameraFit("given", size, camera, offset_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)
+    return ExternalCameraFit("given", size, camera, error_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)
 
 
 # Farther off than this on the median element, a camera explains nothing.
@@ -317,10 +347,8 @@ def fit_result_from(
     problem = _failure_reason(found, field)
     if problem is not None:
         return FitResult(model, frame.size, None, problem)
-    error_px = point_error_sd(found)
-    of_clicks = parameter_covariance(found, error_px)
-    offsets = estimate_element_offsets(found, frame, error_px)
-    covariance = of_clicks + offsets.covariance(of_clicks)
+    noise = estimate_noise(found, frame)
+    covariance = noise.of_all
     camera: PinholeCamera | HomographyCamera | FisheyeCamera
     if found.basis is not None:
         matrix = homographies_from_corrections(found.vector[None], found.basis)[0]
@@ -338,15 +366,18 @@ def fit_result_from(
         None,
         _element_residuals(found, frame),
         deviations,
-        error_px / frame.scale,
+        noise.click_px / frame.scale,
         names,
         covariance,
         warm,
         found.vector,
         found.basis,
         other_end=is_opposite_end_possible(found, field, frame),
-        offset_px=offsets.sd_px / frame.scale,
-        of_clicks=of_clicks,
+        offset_px=noise.offset_px / frame.scale,
+        of_clicks=noise.of_clicks,
+        information=np.asarray(np.linalg.inv(parameter_covariance(found, noise.click_px))),
+        if_shared=noise.if_shared,
+        shared_if_any=(noise.shared_if_any[0], noise.shared_if_any[1] / frame.scale),
         pixel_aspect=frame.pixel_aspect,
     )
 

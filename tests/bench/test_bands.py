@@ -12,6 +12,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import (
     Residuals,
@@ -27,7 +28,7 @@ FRAME = ImageFrame((960, 540))
 
 # P knows nothing of the distortion these pictures have, and H of what is off the ground.
 @pytest.mark.parametrize(
-    ("model", "least"), [("R", 0.9), ("R+", 0.9), ("auto", 0.9), ("H", 0.85), ("P", 0.8)]
+    ("model", "least"), [("R", 0.93), ("R+", 0.93), ("auto", 0.93), ("H", 0.88), ("P", 0.88)]
 )
 def test_held_out_points_in_their_bands(benchmark, world_cup, model, least):
     def run() -> dict[str, float]:
@@ -35,19 +36,22 @@ def test_held_out_points_in_their_bands(benchmark, world_cup, model, least):
         for annotation in world_cup:
             for fit, off in _held_out(annotation, model):
                 both = np.stack([np.ones_like(off.whole[0]), off.whole[0]])
-                for name, covariance, offset in (
+                slopes, own = off.derivatives[0], fit.error_px**2 + fit.shared_if_any[1] ** 2
+                if fit.basis is None:  # an element that moves is a camera that moves the other way
+                    moved = slopes[POSITION_SLICE][:2]
+                    own = own + fit.shared_if_any[0] ** 2 * (moved**2).sum(axis=0)
+                for name, covariance, more in (
                     ("clicks", fit.of_clicks, 0.0),
                     ("camera", fit.covariance, 0.0),
-                    ("ghost", fit.covariance, fit.offset_px),
+                    ("ghost", fit.if_shared, own),
                 ):
-                    slopes = off.derivatives[0]
-                    squares = np.einsum("pkn,pq,qkn->kn", slopes, covariance, slopes) + offset**2
+                    squares = np.einsum("pkn,pq,qkn->kn", slopes, covariance, slopes) + more
                     shares[name].append((off.values[0] ** 2 <= 1.96**2 * squares)[both])
         return {name: float(np.concatenate(held).mean()) for name, held in shares.items()}
 
     held = benchmark.pedantic(run, rounds=1)
     print(f"\n{model}: in 95 % bands", ", ".join(f"{k} {v:.1%}" for k, v in held.items()))
-    assert least <= held["ghost"] <= 0.98
+    assert least <= held["ghost"] <= 0.97
 
 
 def _held_out(annotation: FrameAnnotation, model: str) -> Iterator[tuple[FitResult, Residuals]]:

@@ -112,6 +112,10 @@ def test_a_dataset_keeps_how_wide_its_pixels_are(make_window, bare, finder, qtbo
     assert calls == [len(window.services.state.workspace.frames)]
     assert stored_pixel_aspect(window.services.review.setting(ASPECT_SETTING)) == squeezed
     assert window.services.state.field.pixels == squeezed
+    window.services.navigator.go_to(0)
+    all_done(qtbot)
+    wide, high = window.services.live_fit.insight.fit.camera.focal_px
+    assert high / wide == pytest.approx(16 / 9)
 
 
 class TestAFrameWithoutAnnotation:

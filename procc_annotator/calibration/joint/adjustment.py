@@ -25,7 +25,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     lower_bounded_parameter,
 )
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
-from procc_annotator.calibration.optimization.covariance import estimate_element_offsets
 from procc_annotator.calibration.optimization.initialization import (
     initial_cameras_at_position,
     prior_near,
@@ -462,20 +461,23 @@ def fit_result_at_position(
         covariance: (3, 3) of the position, metres squared.
     """
     result = fit_result_from(found, field, sighting.frame, sighting.model, False)
-    if result.camera is None or result.error_px is None or result.deviations is None:
+    if result.covariance is None or result.of_clicks is None or result.if_shared is None:
         return result
     free = FREE_PARAMETERS[sighting.model]
     own = np.setdiff1d(np.arange(free), POSITION_PARAMETERS)
-    error_px = result.error_px * sighting.frame.scale
-    information = found.solution.normal[0] / error_px**2 + np.diag(found.prior.inverse_sd[0] ** 2)
-    alone = np.linalg.inv(information[np.ix_(own, own)])
+    normal = found.solution.normal[0] + np.diag(found.prior.inverse_sd[0] ** 2)
     # How the camera's own parameters follow the position.
-    follow = -alone @ information[np.ix_(own, POSITION_PARAMETERS)]
-    by_position, at_place = np.zeros((free, 3)), np.zeros((free, free))
+    follow = -np.linalg.solve(normal[np.ix_(own, own)], normal[np.ix_(own, POSITION_PARAMETERS)])
+    by_position, kept = np.zeros((free, 3)), np.zeros((free, free))
     by_position[POSITION_PARAMETERS], by_position[own] = np.eye(3), follow
-    at_place[np.ix_(own, own)] = alone
-    of_clicks = at_place + by_position @ covariance @ by_position.T
-    offsets = estimate_element_offsets(found, sighting.frame, error_px)
-    full = of_clicks + offsets.covariance(at_place)
-    deviations = pose_deviations(found.vector, full, sighting.frame)
-    return replace(result, covariance=full, of_clicks=of_clicks, deviations=deviations)
+    kept[np.ix_(own, own)] = 1.0
+    moved = by_position @ covariance @ by_position.T
+    full, of_clicks = kept * result.covariance + moved, kept * result.of_clicks + moved
+    return replace(
+        result,
+        covariance=full,
+        of_clicks=of_clicks,
+        if_shared=kept * result.if_shared + moved,
+        information=np.asarray(np.linalg.inv(of_clicks)),
+        deviations=pose_deviations(found.vector, full, sighting.frame),
+    )

@@ -278,8 +278,8 @@ def _fit_position(fit: FitResult) -> FloatArray:
 
 
 def _position_covariance(fit: FitResult) -> FloatArray:
-    assert fit.of_clicks is not None  # it has a camera
-    return fit.of_clicks[X : Z + 1, X : Z + 1]
+    assert fit.covariance is not None  # it has a camera
+    return fit.covariance[X : Z + 1, X : Z + 1]
 
 
 def _solve_group(

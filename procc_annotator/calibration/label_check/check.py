@@ -214,9 +214,9 @@ class FittedPosition:
 
 def fitted_position(fit: FitResult) -> FittedPosition | None:
     """Return where a fit has its camera; None without one, and for a homography."""
-    if not isinstance(fit.camera, PosedCamera) or fit.of_clicks is None:
+    if not isinstance(fit.camera, PosedCamera) or fit.covariance is None:
         return None
-    covariance = fit.of_clicks[POSITION_SLICE, POSITION_SLICE].tolist()
+    covariance = fit.covariance[POSITION_SLICE, POSITION_SLICE].tolist()
     sure = not ill_conditioned_reason(fit)
     return FittedPosition(fit.camera.position_world, tuple(map(tuple, covariance)), fit.model, sure)
 

@@ -14,7 +14,7 @@ Half a turn of the field changes neither.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import combinations
@@ -358,11 +358,17 @@ def wrong_side_findings(
     swaps = [
         pair
         for pair in combinations(sorted(frozenset.union(*found.all), key=names.index), 2)
-        if not contradictions(
+        if _concerns_all(pair, found)
+        and not contradictions(
             _relabelled_elements(clicked, dict((pair, pair[::-1])), field), field, frame
         ).all
     ]
     return (_several_elements_finding(common, swaps, found, field, names),)
+
+
+def _concerns_all(names: Iterable[str], found: Contradictions) -> bool:
+    """Whether each contradiction is with one of some classes: others would remain."""
+    return not any(frozenset(names).isdisjoint(some) for some in found.all)
 
 
 def _relabelled_elements(

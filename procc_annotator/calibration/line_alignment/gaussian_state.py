@@ -291,6 +291,7 @@ def fit_from_covariance(
         True,
         vector,
         of_clicks=covariance,
+        information=np.asarray(np.linalg.inv(covariance)),
     )
 
 

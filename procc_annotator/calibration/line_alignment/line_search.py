@@ -108,7 +108,8 @@ class LineOffsets:
         px: (n,) solver px, how far along the normal the paint's middle lies.
         found: (n,) whether there is any, and no doubt which.
         contrast: (n,) grey levels of the band against the nearer of its flanks.
-        around: (3, n, 3) BGR to both sides of the expected places, and where paint was found.
+        around: (3, n, 3) BGR to both sides of the expected places (of `nearest_line_offsets` those
+            of the paint), and where paint was found.
     """
 
     px: FloatArray
@@ -116,18 +117,29 @@ class LineOffsets:
     contrast: FloatArray
     around: Values
 
-    def is_hidden(self, counted: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def is_hidden(
+        self, counted: NDArray[np.bool_], others: LineOffsets | None = None
+    ) -> NDArray[np.bool_]:
         """Return (n,) where something else than the ground is in sight: to one side at least it
-        has no colour that is usual on and next to the paint of the places that count."""
-        cells = (self.around / _COLOUR_STEP).astype(np.intp) + 1
+        has no colour that is usual on and next to the paint of the places that count.
+
+        Args:
+            counted: which of the places.
+            others: whose places these are; None for its own.
+        """
         shape = (int(256 / _COLOUR_STEP) + 2,) * 3
-        flat = np.ravel_multi_index(tuple(np.moveaxis(cells, -1, 0)), shape)
+        own, flat = (
+            np.ravel_multi_index(
+                tuple(np.moveaxis((some.around / _COLOUR_STEP).astype(np.intp) + 1, -1, 0)), shape
+            )
+            for some in (self, others or self)
+        )
         usual = np.bincount(flat[:, counted].ravel(), minlength=int(np.prod(shape)))
         usual = usual.reshape(shape)
         for axis in range(3):  # with the colours next to it
             usual = usual + np.roll(usual, 1, axis) + np.roll(usual, -1, axis)
-        least = _MIN_COLOUR_SHARE * cells.shape[0] * int(counted.sum())
-        return np.asarray(usual.ravel()[flat[:2]].min(axis=0) < max(least, 1.0))
+        least = _MIN_COLOUR_SHARE * len(flat) * int(counted.sum())
+        return np.asarray(usual.ravel()[own[:2]].min(axis=0) < max(least, 1.0))
 
 
 # Colours alike differ by less than so much in each channel; usual is what one place in 50 has.
@@ -171,7 +183,8 @@ def nearest_line_offsets(
     cut = _LineProfiles.of(picture, expected, painted, frame, far_px)
     near, far = cut.best(near_px), cut.best(far_px)
     is_near = near[2]
-    return cut.offsets(*(np.where(is_near, *both) for both in zip(near, far, strict=True))), is_near
+    at, contrast, found = (np.where(is_near, *both) for both in zip(near, far, strict=True))
+    return cut.offsets(at, contrast, found, flanks_at=at), is_near
 
 
 _NO_OFFSETS = LineOffsets(
@@ -230,9 +243,14 @@ class _LineProfiles:
         return best_columns(self.response, away <= reach[:, None])
 
     def offsets(
-        self, at: FloatArray, contrast: FloatArray, found: NDArray[np.bool_]
+        self,
+        at: FloatArray,
+        contrast: FloatArray,
+        found: NDArray[np.bool_],
+        flanks_at: FloatArray | None = None,
     ) -> LineOffsets:
-        """Return what is at columns (n,), in the middle of the paint."""
+        """Return what is at columns (n,), in the middle of the paint; and to both sides of the
+        expected places, or of other columns."""
         px = (at - self.half) * self.step
         narrow = np.flatnonzero(found & (self.step == _MIN_STEP_PX))
         column = _PROFILE_MARGIN_STEPS + np.rint(at[narrow]).astype(np.intp)
@@ -245,10 +263,16 @@ class _LineProfiles:
             cut = _neighbour_mean_colours(self.cuts, narrow, columns, self.expected)
             shift = line_centres(cut, self.expected.width_px[narrow] / self.scale)
             px[narrow] = (column - _PROFILE_MARGIN_STEPS - self.half) * _MIN_STEP_PX + shift
-        middle, rows = self.cuts.shape[1] // 2, np.arange(len(at))
+        middle, rows = (
+            np.full(len(at), self.half) if flanks_at is None else flanks_at,
+            np.arange(len(at)),
+        )
+        middle = np.rint(middle[:, None]).astype(np.intp) + _PROFILE_MARGIN_STEPS
         away = np.arange(_PROFILE_MARGIN_STEPS - _FLANK_LENGTH_STEPS + 1, _PROFILE_MARGIN_STEPS + 1)
         around = np.empty((3, len(at), 3), dtype=np.float32)
-        around[0], around[1] = (self.cuts[:, middle + side * away].mean(axis=1) for side in (1, -1))
+        around[0], around[1] = (
+            self.cuts[rows[:, None], middle + side * away].mean(axis=1) for side in (1, -1)
+        )
         around[2] = self.cuts[rows, _PROFILE_MARGIN_STEPS + np.rint(at).astype(np.intp)]
         return LineOffsets(px * self.scale, found, contrast, around)
 

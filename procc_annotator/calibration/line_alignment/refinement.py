@@ -181,6 +181,8 @@ def search_nearby(
     frame: ImageFrame,
     seen: LineMeasurement,
     weights: FloatArray,
+    *,
+    on_ground: bool = False,
 ) -> NearbyEdgePoints | None:
     """Look farther out for the elements of which a camera (11,) finds little.
 
@@ -191,6 +193,8 @@ def search_nearby(
         frame: the picture.
         seen: what was found near it.
         weights: of the marks, 0 for those that the camera does not explain.
+        on_ground: take only what has the colours of the field's ground on both sides, as the edges
+            of boards have not.
 
     Returns:
         None where none of length has to be looked for.
@@ -201,7 +205,7 @@ def search_nearby(
     poor &= painted.required
     if not poor.any():
         return None
-    _, hidden = _found_and_hidden(seen, weights, painted)
+    explained, hidden = _found_and_hidden(seen, weights, painted)
     own, px = painted.element[seen.expected.rows], seen.expected.length_px
     length, open_ = (np.bincount(own, some, minlength=len(poor)) for some in (px, px * ~hidden))
     # Of what is mostly hidden, the rest is hardly to be told from what hides it.
@@ -217,6 +221,8 @@ def search_nearby(
         picture, expected, painted, frame, _DISPLACED_PX, _FAR_RADIUS_PX
     )
     found = offsets.found & (near | (offsets.contrast >= MIN_RELATIVE_CONTRAST * usual))
+    if on_ground:
+        found &= ~offsets.is_hidden(explained & painted.required[own], seen.offsets)
     return _consistent_with_neighbours(expected, offsets.px, found, painted)
 
 

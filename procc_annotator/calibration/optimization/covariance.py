@@ -1,4 +1,4 @@
-"""Covariance of a fit, of projected points, and from per-element offsets."""
+"""Noise of a fit's points, its covariance, and that of projected points."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE, rotated_180
+from procc_annotator.calibration.optimization.noise import posterior_deviations
 from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
 from procc_annotator.calibration.optimization.projection import (
     MIN_DEPTH_M,
@@ -17,7 +18,6 @@ from procc_annotator.calibration.optimization.projection import (
     project_visible,
 )
 from procc_annotator.calibration.optimization.residuals import (
-    MAX_NOISE_RESIDUAL_PX,
     Residuals,
     estimate_click_sd,
     homography_derivatives,
@@ -146,56 +146,91 @@ def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFr
     return costs[1] - costs[0] < _OPPOSITE_END_EVIDENCE * point_error_sd(found) ** 2
 
 
-# What elements and points are off by where the residuals cannot say, and how many means and
-# residuals that belief is worth; as bands of held-out elements ask for (docs/fitting.md).
-PRIOR_OFFSET_PX, _OFFSET_PRIOR_WEIGHT = 1.0, 2.0
-_PRIOR_NOISE_PX, _NOISE_PRIOR_WEIGHT = 1.0, 4.0
-_MIN_NOISE_PX = 0.2
-_TINY = 1e-9
+# Usual standard deviations of what all points of an element share: its place on the ground along x
+# and y, in widths of the lines, on which clicks are anywhere, and its distance across from the
+# model, solver px (lens errors).
+PRIOR_OFFSET_WIDTHS, PRIOR_OFFSET_PX = 0.6, 0.5
+_LINE_WIDTH_M = 0.12  # where the field says none
+_MIN_ROBUST_SD_PX, _MIN_SPARE_ROWS, _HUBER_SD = 0.3, 4, 2.0
+_DISPLACEMENT_M = 0.01  # for derivatives by differences
+_TINY = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class ElementOffsets:
-    """Offsets of whole elements from residuals.
+class PointNoise:
+    """Noise of a frame's points, and what it makes of the camera.
 
     Attributes:
-        sd_px: standard deviation of an element's offset, solver px.
-        pulls: (n, G) how the offset of each element moves the gradient by the n free parameters.
+        click_px: standard deviation of a point across its element, solver px.
+        offset_px: of what all points of an element share, across, solver px; mean over the
+            points.
+        shared_if_any: of the same on the ground, m, and across, solver px, if elements share errors
+            at all: drawn ones do not, annotated ones do.
+        of_clicks: (n, n) covariance of the free parameters by clicks and prior.
+        of_all: (n, n) by clicks, prior and what elements share.
+        if_shared: (n, n) the same if elements share errors at all.
     """
 
-    sd_px: float
-    pulls: FloatArray
-
-    def covariance(self, of_clicks: FloatArray) -> FloatArray:
-        """(n, n) covariance of the parameters that the offsets cause.
-
-        Args:
-            of_clicks: (n, n) covariance that the noise of the clicks causes: the inverse of the
-                information.
-        """
-        moved = of_clicks @ self.pulls
-        return np.asarray(self.sd_px**2 * moved @ moved.T)
+    click_px: float
+    offset_px: float
+    shared_if_any: tuple[float, float]
+    of_clicks: FloatArray
+    of_all: FloatArray
+    if_shared: FloatArray
 
 
-def estimate_element_offsets(
-    found: CameraSolution, frame: ImageFrame, error_px: float
-) -> ElementOffsets:
-    """Return how far the elements of a fit lie next to its model.
+def estimate_noise(found: CameraSolution, frame: ImageFrame) -> PointNoise:
+    """Estimate a frame's noise from the residuals, and how the camera follows it.
+
+    Both variances have the means of their posterior: the marginal likelihood of the residuals, the
+    camera integrated out (Laplace's approximation, as in restricted maximum likelihood). Points far
+    off count less (Huber), at a scale from the median of the residuals.
 
     Args:
         found: a fit.
         frame: its picture.
-        error_px: standard deviation of a point across its element, solver px.
     """
-    kept = found.seen.with_excluded(found.left_out)
-    off = residuals_of_fit(found, kept, frame)
-    values, slopes, weights, member = _residual_rows(off, kept, found.left_out)
-    pulls = (slopes * weights) @ member / error_px**2
-    gain = np.linalg.inv(
-        (slopes * weights) @ slopes.T + error_px**2 * np.diag(found.prior.inverse_sd[0] ** 2)
-    ) @ (slopes * weights)
-    clipped = np.clip(values, -MAX_NOISE_RESIDUAL_PX, MAX_NOISE_RESIDUAL_PX)
-    return ElementOffsets(_offset_sd_by_moments(clipped, slopes, gain, member), pulls)
+    seen, free = found.seen.with_excluded(found.left_out), found.prior.mean.shape[1]
+    off, displacements = _residuals_and_displacements(found, seen, frame)
+    distances, counted = off.distances[0], seen.weights > 0
+    rows = np.stack([counted, counted & off.whole[0]])
+    count = int(rows.sum())
+    typical = 1.4826 * float(np.median(distances[counted]))
+    typical *= np.sqrt(count / max(count - free, _MIN_SPARE_ROWS))
+    huber = _HUBER_SD * max(typical, _MIN_ROBUST_SD_PX)
+    roots = rows * np.sqrt(np.minimum(1.0, huber / np.maximum(distances, _TINY)))
+    widths = [element.line_width for element in seen.elements if element.line_width > 0]
+    prior_m = PRIOR_OFFSET_WIDTHS * float(np.median(widths or [_LINE_WIDTH_M]))
+    effects = _shared_effects(off, prior_m * displacements)
+    axes, squares = _orthonormal(effects * roots, seen)
+    values = (off.values[0] * roots).reshape(-1)
+    slopes = (off.derivatives[0] * roots).reshape(free, -1)
+    mean, precision = found.prior.mean[0] - found.vector[:free], found.prior.inverse_sd[0] ** 2
+    click_px, shared, shared_if_any = posterior_deviations(
+        values, slopes, axes, squares, mean, precision
+    )
+    # The estimate's own covariance (sandwich): the fit weighed the points as it did, and the prior
+    # as if they were off by 1 px.
+    weights = rows * (FINAL_LOSS.cost_and_weight(distances)[1] * seen.weights)
+    inverse = np.linalg.inv(found.solution.normal[0] + np.diag(precision))
+    gain = inverse @ (off.derivatives[0] * weights).reshape(free, -1)
+    by_element = np.add.reduceat(
+        np.einsum("prn,irn->pin", gain.reshape(free, 2, -1), effects), seen.starts, axis=2
+    ).reshape(free, -1)
+    # What the prior pulls the camera by: as it does here, the camera being as uncertain as it is.
+    pulled = inverse * precision
+    bias = pulled @ mean
+    by_prior = np.outer(bias, bias) + pulled @ parameter_covariance(found, click_px) @ pulled.T
+    of_clicks = click_px**2 * gain @ gain.T + by_prior
+    of_shared = by_element @ by_element.T
+    return PointNoise(
+        click_px,
+        shared * float(np.sqrt((effects[:, rows] ** 2).sum(axis=0)).mean()),
+        (shared_if_any * prior_m, shared_if_any * PRIOR_OFFSET_PX),
+        of_clicks,
+        of_clicks + shared**2 * of_shared,
+        of_clicks + shared_if_any**2 * of_shared,
+    )
 
 
 def residuals_of_fit(found: CameraSolution, seen: Observations, frame: ImageFrame) -> Residuals:
@@ -218,65 +253,45 @@ def picture_distances(found: CameraSolution, frame: ImageFrame) -> FloatArray:
     return np.asarray(np.where(off.whole[0], np.hypot(*values), np.abs(values[0]) / shrunk))
 
 
-def _residual_rows(
-    off: Residuals, seen: Observations, left_out: NDArray[np.bool_]
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """The single residuals of the elements with a say: (N,) px, (n, N) their derivatives, (N,)
-    weights, and (N, G) 1 where one is across an element, which shares its offset."""
-    counted = ~left_out[seen.element_of_point]
-    weights = FINAL_LOSS.cost_and_weight(off.distances)[1][0] * seen.weights
-    along = off.along[0]
+def _residuals_and_displacements(
+    found: CameraSolution, seen: Observations, frame: ImageFrame
+) -> tuple[Residuals, FloatArray]:
+    """Residuals, and (2, 2, N) their derivatives by moves of the elements along x and y, px/m."""
+    off, moved = residuals_of_fit(found, seen, frame), []
+    if found.basis is None:
+        # An element that moves is a camera that moves the other way.
+        return off, off.derivatives[0, POSITION_SLICE][:2]
+    for axis in range(2):
+        shift = np.eye(3)
+        shift[axis, 2] = _DISPLACEMENT_M
+        there = homography_residuals(found.vector[None], seen, found.basis @ shift)
+        moved.append((there.values[0] - off.values[0]) / _DISPLACEMENT_M)
+    return off, np.array(moved)
+
+
+def _shared_effects(found: Residuals, displacements: FloatArray) -> FloatArray:
+    """(3, 2, N) what an element's own errors along x, y, m, and across, px, add to its points."""
+    along = found.along[0]
     length = np.hypot(along[0], along[1])
     has_side = length > _TINY
-    # At a true end both components count, along the picture's axes: they are turned across.
-    turn = off.whole[0] & has_side
-    x, y = np.where(turn, -along[1], length), np.where(turn, along[0], 0.0)
-    both = np.stack([np.where(has_side, x, 1.0), np.where(has_side, y, 0.0)])
-    both /= np.where(has_side, length, 1.0)
-    across, beside = both, np.stack([-both[1], both[0]])
-    rows = [(across, counted), (beside, counted & off.whole[0])]
-    values = np.concatenate([(axes * off.values[0]).sum(axis=0)[k] for axes, k in rows])
-    slopes = np.concatenate(
-        [np.einsum("kn,pkn->pn", axes, off.derivatives[0])[:, k] for axes, k in rows], axis=1
+    # At a true end both components count, along the picture's axes.
+    turned = found.whole[0] & has_side
+    unit = np.where(has_side, length, 1.0)
+    across = np.stack(
+        [np.where(turned, -along[1] / unit, has_side), np.where(turned, along[0] / unit, 0.0)]
     )
-    member = np.zeros((len(values), len(seen.elements)))
-    first = np.flatnonzero(counted)
-    member[np.flatnonzero(has_side[first]), seen.element_of_point[first[has_side[first]]]] = 1.0
-    member = member[:, member.any(axis=0)]
-    return values, slopes, np.concatenate([weights[k] for _, k in rows]), member
+    return np.concatenate([displacements, PRIOR_OFFSET_PX * across[None]])
 
 
-def _offset_sd_by_moments(
-    values: FloatArray, slopes: FloatArray, gain: FloatArray, member: FloatArray
-) -> float:
-    """Standard deviation of an element's offset, by the moments of N residuals of G elements.
-
-    Args:
-        values: (N,) px.
-        slopes: (n, N) their derivatives.
-        gain: (n, N) how the parameters follow the errors of the points.
-        member: (N, G) 1 where a residual is one of an element.
-    """
-    counts = member.sum(axis=0)
-    # Of residuals and of their means over elements: what the fit takes from both.
-    sum_slopes, sum_gain = slopes @ member, gain @ member
-    mean_slopes, mean_gain = sum_slopes / counts, sum_gain / counts
-    across, gains = slopes @ slopes.T, gain @ gain.T
-    noise_in_means = (1 / counts).sum() - 2 * (mean_slopes * mean_gain).sum()
-    noise_in_means += np.einsum("pg,pq,qg->", mean_slopes, gains, mean_slopes)
-    offsets_in_means = ((np.eye(len(counts)) - mean_slopes.T @ sum_gain) ** 2).sum()
-    noise_in_all = len(values) - 2 * (slopes * gain).sum() + (gains * across).sum()
-    offsets_in_all = len(values) - 2 * (sum_slopes * sum_gain).sum()
-    offsets_in_all += ((sum_gain @ sum_gain.T) * across).sum()
-    of_means = float((((values @ member) / counts) ** 2).sum())
-    of_all = float((values**2).sum())
-    of_means += _OFFSET_PRIOR_WEIGHT * PRIOR_OFFSET_PX**2
-    offsets_in_means += _OFFSET_PRIOR_WEIGHT
-    of_all += _NOISE_PRIOR_WEIGHT * _PRIOR_NOISE_PX**2
-    noise_in_all += _NOISE_PRIOR_WEIGHT
-    determinant = noise_in_means * offsets_in_all - offsets_in_means * noise_in_all
-    noise = (of_means * offsets_in_all - offsets_in_means * of_all) / determinant
-    if not noise >= _MIN_NOISE_PX**2:
-        noise = _MIN_NOISE_PX**2
-    offset = (of_means - noise_in_means * noise) / offsets_in_means
-    return float(np.sqrt(max(offset, 0.0)))
+def _orthonormal(effects: FloatArray, seen: Observations) -> tuple[FloatArray, FloatArray]:
+    """Effects (3, 2, N) as orthonormal axes of the elements (2 N, 3 E), and squares (3 E,)."""
+    products = np.einsum("irn,jrn->ijn", effects, effects)
+    gram = np.add.reduceat(products, seen.starts, axis=2).transpose(2, 0, 1)
+    squares, turns = np.linalg.eigh(gram)
+    squares = np.where(squares > 1e-9 * (squares[:, -1:] + _TINY), squares, 0.0)
+    turns = turns / np.sqrt(np.where(squares > 0, squares, np.inf))[:, None]
+    points, elements = seen.points.shape[1], len(seen.elements)
+    axes = np.zeros((2, points, elements, 3))
+    own = np.einsum("irn,nia->rna", effects, turns[seen.element_of_point])
+    axes[:, np.arange(points), seen.element_of_point] = own
+    return axes.reshape(2 * points, -1), squares.reshape(-1)

@@ -80,7 +80,7 @@ def expected_ends(
     world = np.concatenate([s.points_world[[0, -1]] for s in straight])
     apart = distances_to(field.elements, world).reshape(len(straight), 2, -1)
     along = np.concatenate([_outward_directions(s.points_px) for s in straight])
-    sd = np.hypot(fit.projected_sd(world, along), fit.offset_px).reshape(-1, 2)
+    sd = fit.annotated_sd(world, along).reshape(-1, 2)
     shown: dict[str, list[FloatArray]] = {}
     for stretch in visible_stretches(field, fit.camera, fit.size):
         shown.setdefault(stretch.name, []).append(stretch.points_px)
@@ -278,8 +278,7 @@ def stretch_deviations(stretches: list[VisibleStretch], fit: FitResult) -> list[
     across = np.concatenate(
         [polyline_normals(s.points_px)[k] for s, k in zip(stretches, knots, strict=True)]
     )
-    # Of the camera, and of what this element may lie next to it by itself.
-    sd = np.hypot(fit.projected_sd(world, across), fit.offset_px)
+    sd = fit.annotated_sd(world, across)
     ends = np.cumsum([len(k) for k in knots])[:-1]
     return [
         GhostPiece(s.points_px, np.interp(np.arange(len(s.points_px)), k, own))

@@ -221,7 +221,7 @@ def suggest_annotations(
     Returns:
         Nothing without a camera: then there is no covariance to reason with.
     """
-    if fit.camera is None or fit.of_clicks is None or fit.error_px is None:
+    if fit.camera is None or fit.information is None or fit.error_px is None:
         return ()
     frame = fit.frame
     shortest = MIN_LENGTH_PX / frame.scale
@@ -272,7 +272,7 @@ def _projection_sds_px(
         judged: (N, 3) metres, the places.
         clicks: of C elements, each for itself.
     """
-    assert fit.of_clicks is not None
+    assert fit.information is not None
     assert fit.error_px is not None
     derivatives = _projection_derivatives(
         fit, frame, np.concatenate([judged, *(c.world for c in clicks)])
@@ -280,14 +280,13 @@ def _projection_sds_px(
     rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
     # The mean over rows r of r C r' is the trace of C times the mean of r' r.
     spread = rows.T @ rows / len(rows)
-    information = np.linalg.inv(fit.of_clicks)
-    known = [information]
+    known = [fit.information]
     begin = len(judged)
     for world, across, points in clicks:
         own = np.einsum("nk,nkp->np", across, derivatives[begin : begin + len(world)])
         begin += len(world)
         weight = 1 / (np.sqrt(points) * (fit.error_px * frame.scale) ** 2)
-        known.append(information + weight * own.T @ own)
+        known.append(fit.information + weight * own.T @ own)
     variances = np.einsum("cpq,qp->c", np.linalg.inv(np.array(known)), spread)
     return np.asarray(np.sqrt(variances) / frame.scale)
 
@@ -328,9 +327,9 @@ def _rows_every(stretch: VisibleStretch, count: int) -> np.ndarray:
 
 
 def _projection_derivatives(fit: FitResult, frame: ImageFrame, world: FloatArray) -> FloatArray:
-    assert fit.of_clicks is not None
+    assert fit.information is not None
     assert fit.vector is not None
     derivatives, shown = projected_jacobian(
-        fit.vector, fit.basis, frame.half_diagonal, len(fit.of_clicks), world
+        fit.vector, fit.basis, frame.half_diagonal, len(fit.information), world
     )
     return np.where(shown[:, None, None], derivatives, 0.0)

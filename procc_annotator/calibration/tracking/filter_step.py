@@ -320,7 +320,7 @@ def filter_step(
             none, reason=translatable("the paint that was found would move the camera too far")
         )
     residual = float(np.median(np.abs(off[weights > MIN_WEIGHT])))
-    around = search_nearby(picture, solved.vector, painted, frame, seen, weights)
+    around = search_nearby(picture, solved.vector, painted, frame, seen, weights, on_ground=True)
     none = replace(none, residual_px=residual, around=around)
     return _updated_step(none, solved, marks, painted.world[:, seen.expected.rows], frame)
 
@@ -361,7 +361,7 @@ def remeasured_step(
     few = (solved.weights > MIN_WEIGHT).sum() < _MIN_EDGE_POINTS / _FIRST_PASS_SUBSAMPLING
     if few or coverage < least:
         return step
-    around = search_nearby(picture, vector, painted, frame, seen, weights)
+    around = search_nearby(picture, vector, painted, frame, seen, weights, on_ground=True)
     again = replace(
         step,
         coverage=coverage,

@@ -74,7 +74,7 @@ from procc_annotator.translation import translatable
 # Shots of one match agree on the tripod to about a metre; standard deviation of each axis.
 _MIN_SEPARATION_M = 0.7
 _MAX_MAHALANOBIS, _MAX_DISTANCE_M = 3.5, 5.0
-_MIN_COVERAGE = 0.65  # below it a frame is doubtful
+MIN_COVERAGE = 0.65  # below it a frame is doubtful, unless the line pixels there are explained
 
 
 def is_at_known_position(
@@ -90,7 +90,7 @@ def is_at_known_position(
     """
     if fit is None or fit.vector is None or fit.covariance is None:
         return False
-    if np.mean(coverages) < _MIN_COVERAGE:
+    if np.mean(coverages) < MIN_COVERAGE:
         return False
     for place in places:
         away = fit.vector[POSITION_SLICE] - place.position_m
@@ -116,7 +116,8 @@ _PROPOSAL_OFFSETS = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 200
 # many frames apart: another view is needed, and a proposal takes as long as following 30 frames.
 _MAX_POSITION_SD_M, _POSITION_TRIES, _TRIED_FRAMES = 3.0, 5, 40
 # For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
-_LOOKED_FRAMES = 25
+# For the share of its line pixels that a doubtful frame explains, twice a second.
+_LOOKED_FRAMES, _EXPLAINED_FRAMES = 25, 12
 # When a camera that moves is tried: elements lie so far next to the model, solver px, or less of
 # the frames asked for is explained, or less of the model is found on paint than in the best frames:
 # where a position is held that is not, lines are left behind one by one.
@@ -138,8 +139,8 @@ _JUDGED_FRAMES, _LEAST_JUDGED = 50, 4
 _SKIPPED_SHARE = 0.5
 
 
-def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
-    return looked is not None and number - looked[0] < _LOOKED_FRAMES
+def _is_recent(number: int, looked: tuple[int, float] | None, frames: int) -> bool:
+    return looked is not None and number - looked[0] < frames
 
 
 class _TooManyMissing(Exception):
@@ -362,6 +363,7 @@ class _ShotTracker:
         missed = self._missed_anchors(chain)
         places = np.array(list(given))
         looked = dict[int, tuple[int, float]]()
+        judged: tuple[int, float] | None = None
         for number, step in zip(chain.numbers, chain.steps, strict=True):
             nearest = int(places[np.abs(places - number).argmin()])
             own = replace(step, belief=given[number]) if number in left else step
@@ -371,6 +373,10 @@ class _ShotTracker:
                 one = replace(one, reason=_missed_anchor_text(px))
             if not one.reason and (off := self._unexplained(number, own, looked)):
                 one = replace(one, reason=displaced_elements_text(off, self.painted, self.picture))
+            if not one.reason and one.coverage < MIN_COVERAGE:
+                if judged is None or not _is_recent(number, judged, _EXPLAINED_FRAMES):
+                    judged = number, self._explained(number, own)
+                one = replace(one, explained=judged[1])
             self.found[number] = one
         # What looked like a cut and could be followed across is none: a banner that slid in.
         self.begins -= set(chain.numbers[1:])
@@ -425,13 +431,24 @@ class _ShotTracker:
             looked: element -> frame at which it was looked for, and what came of it; 0 if nothing.
         """
         missed = step.missed(self.painted, self.picture)
-        now = [own for own in missed.tolist() if not _is_recent(number, looked.get(own))]
+        now = [
+            own
+            for own in missed.tolist()
+            if not _is_recent(number, looked.get(own), _LOOKED_FRAMES)
+        ]
         if now:
             self.go_on()
             seen = line_pixels_for_field(self.frame(number), self.field)
             found = unexplained_beside(seen, step.belief.vector, missed, self.painted, self.picture)
             looked |= {own: (number, found.get(own, 0.0)) for own in missed.tolist()}
         return {own: looked[own][1] for own in missed.tolist() if looked[own][1]}
+
+    def _explained(self, number: int, step: FilterStep) -> float:
+        """Return the share of the line pixels on the field that a frame's camera explains."""
+        self.go_on()
+        lines = field_line_points(self.field)
+        seen = line_pixels_for_field(self.frame(number), self.field).thinned(AGREEMENT_POINTS)
+        return 0.0 if lines is None else explained_on_field(seen, step.belief.vector, lines)
 
     def _skipped_frames(self, chain: FrameChain, given: Mapping[int, GaussianState]) -> set[int]:
         """Frames whose known camera shows an element on its paint, and that of the chain does

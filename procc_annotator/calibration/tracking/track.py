@@ -25,6 +25,8 @@ class TrackedFrame:
             was found.
         anchor_distance: frames to the nearest anchor, or to where a proposal began the track; None
             if it is lost.
+        explained: share of the line pixels on the field that its lines explain, 0 to 1, at this
+            frame or up to half a second before; None where enough of the model was found.
         clicks: the SHA-256 of the annotation that an anchor was fitted to; empty for other frames.
     """
 
@@ -36,6 +38,7 @@ class TrackedFrame:
     residual_px: float | None
     anchor_distance: int | None
     clicks: str = ""
+    explained: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

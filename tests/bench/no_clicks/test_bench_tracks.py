@@ -2,7 +2,9 @@
 --benchmark-only -s``.
 
 Listed elements count as within so many px, at 960x540, by their farthest point; those of frames
-without a camera count as beyond. Frames a second are those of the processor's time of one core.
+without a camera count as beyond. Doubtful: of the frames with a listed element more than 5 px off,
+and of those with none more than 3 px off. Frames a second are those of the processor's time of one
+core.
 ``CLIPS=River`` takes only clips with that in their names.
 """
 
@@ -19,6 +21,7 @@ from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.tracking.shot_tracker import track_shot
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.field.load import load_field
 from tests.bench.no_clicks.clips import Clip, farthest, soccer_clips
 
@@ -44,6 +47,18 @@ class Followed:
             for number, truth in self.clip.truth.items()
         ]
         return np.concatenate([*found, np.empty(0)])
+
+    def doubted(self) -> np.ndarray:
+        """Doubtful wrong frames, all wrong ones, doubtful right ones, all right ones."""
+        counts = np.zeros(4, dtype=int)
+        by_number = {frame.number: frame for frame in self.track.frames}
+        for number, truth in self.clip.truth.items():
+            frame, soccer = by_number[number], load_field("soccer")
+            most = farthest(truth, _camera(frame), self.clip.size, soccer).max(initial=0.0)
+            if most > 5 or most <= 3:
+                counts[0 if most > 5 else 2] += bool(review_reason(frame))
+                counts[1 if most > 5 else 3] += 1
+        return counts
 
     @property
     def jumps(self) -> int:
@@ -104,7 +119,8 @@ def test_tracks(benchmark, shared_data, begin):
         return rows
 
     print(
-        f"\nfrom {begin}\n| | <= 2 / 5 / 10 px % | followed | bridged | lost | jumps | frames/s |"
+        f"\nfrom {begin}\n| | <= 2 / 5 / 10 px % | followed | bridged | lost | jumps"
+        " | doubtful: wrong, right | frames/s |"
     )
     rows = benchmark.pedantic(run, rounds=1)
     away = np.concatenate([row.distances() for row in rows])
@@ -114,7 +130,7 @@ def test_tracks(benchmark, shared_data, begin):
     print(
         f"| all, {len(away)} elements | {_shares(away)} | {_mean(rows, 'anchor', 'followed')} |"
         f" {_mean(rows, 'bridged')} | {_mean(rows, 'lost')} | {sum(r.jumps for r in rows)} |"
-        f" {frames / seconds:.1f} |"
+        f" {_doubted(np.sum([r.doubted() for r in rows], axis=0))} | {frames / seconds:.1f} |"
     )
 
 
@@ -123,9 +139,13 @@ def _print(row: Followed) -> None:
     print(
         f"| {row.clip.name} | {_shares(away)} | {100 * row.share('anchor', 'followed'):.0f} % |"
         f" {100 * row.share('bridged'):.0f} % | {100 * row.share('lost'):.0f} % | {row.jumps} |"
-        f" {len(row.track.frames) / row.seconds:.1f} |",
+        f" {_doubted(row.doubted())} | {len(row.track.frames) / row.seconds:.1f} |",
         flush=True,
     )
+
+
+def _doubted(counts: np.ndarray) -> str:
+    return "{} of {}, {} of {}".format(*counts)
 
 
 def _shares(away: np.ndarray) -> str:

@@ -52,6 +52,27 @@ def test_what_the_residuals_say_of_the_model_is_in_every_deviation(views, field,
         assert fit.deviations.pan_rad == pytest.approx(np.sqrt(fit.covariance[0, 0]))
 
 
+@pytest.mark.parametrize("noise_px", [0.3, 1.0, 2.5])
+def test_standard_deviations_follow_the_clicks(views, field, noise_px):
+    """Root mean square of error over standard deviation is 1 where they are right."""
+    rng = np.random.default_rng(3)
+    ratios, clicks = [], []
+    for _ in range(40):
+        view = views.main(rng, noise_px=noise_px, k1=0.0)
+        fit = fit_camera(view.annotation, field, model="P")
+        true, found, sd = view.camera, fit.camera, fit.deviations
+        place = np.subtract(found.position_world, true.position_world) / sd.position_m
+        pan = (found.pan_rad - true.pan_rad + np.pi) % (2 * np.pi) - np.pi
+        tilt = (found.tilt_rad - true.tilt_rad) / sd.tilt_rad
+        focal = (found.focal_px[0] - true.focal_px[0]) / sd.focal_px
+        ratios.append((pan / sd.pan_rad, tilt, focal, np.sqrt(np.mean(place**2))))
+        clicks.append(fit.error_px)
+    assert np.median(clicks) == pytest.approx(noise_px, rel=0.15)
+    typical = np.sqrt(np.mean(np.square(ratios), axis=0))
+    assert (typical > 0.75).all()
+    assert (typical < 1.3).all()
+
+
 def test_a_ghost_may_lie_beside_the_model_as_the_others_do(views, field):
     rng = np.random.default_rng(3)
     clicked = views.main(rng, noise_px=0.7).annotation

@@ -17,12 +17,18 @@ from procc_annotator.calibration.line_alignment.expected_lines import (
     expected_line_points,
     marking_points,
 )
-from procc_annotator.calibration.line_alignment.gaussian_state import edge_point_errors
+from procc_annotator.calibration.line_alignment.gaussian_state import (
+    edge_point_errors,
+    geman_mcclure_weights,
+)
 from procc_annotator.calibration.line_alignment.refinement import (
     align_with_lines,
+    displaced_elements,
     displaced_elements_in_image,
+    edge_point_residuals,
     found_shares,
     measure_lines,
+    search_nearby,
 )
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
@@ -139,6 +145,36 @@ def test_a_line_that_is_not_painted_lies_beside_nothing():
     assert not displaced_elements_in_image(
         draw(TRUE, lines=False), VECTOR, marking_points(FIELD), FRAME
     )
+
+
+@pytest.mark.parametrize("behind", ["grass", "board"])
+def test_the_edge_of_a_board_is_no_paint_of_a_worn_touchline(behind):
+    """A white stripe with grass on both sides is paint that lies elsewhere."""
+    picture, painted = draw(TRUE), marking_points(FIELD)
+    line, stripe, top = (
+        TRUE.project(np.column_stack([x, np.full(60, -34.0 - away), np.zeros(60)]))[0]
+        for x, away in ((np.linspace(-20, 50, 60), out) for out in (0.0, 1.5, 8.0))
+    )
+
+    def fill(points: np.ndarray, colour: tuple[int, ...], width: int) -> None:
+        places = [(16 * points).round().astype(np.int32)]
+        if width:
+            cv2.polylines(picture, places, False, colour, width, cv2.LINE_AA, shift=4)
+        else:
+            cv2.fillPoly(picture, places, colour, cv2.LINE_AA, shift=4)
+
+    fill(line, (40, 110, 50, 255), 5)
+    if behind == "board":
+        fill(np.concatenate([stripe, top[::-1]]), (200, 60, 20, 255), 0)
+    fill(stripe, (225, 235, 230, 255), 2)
+    seen = measure_lines(picture, VECTOR, painted, FRAME, 5.0)
+    weights = geman_mcclure_weights(edge_point_residuals(VECTOR, seen.marks, FRAME))
+    around = search_nearby(picture, VECTOR, painted, FRAME, seen, weights, on_ground=True)
+    found = displaced_elements(
+        VECTOR, seen.marks.chosen(np.zeros(0, int)), np.zeros(0), around, FRAME
+    )
+    named = {painted.names[number] for number in found}
+    assert named == ({"Side line top"} if behind == "grass" else set())
 
 
 def test_a_narrow_line_between_two_colours_is_found_in_its_middle():

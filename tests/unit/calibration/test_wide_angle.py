@@ -152,7 +152,7 @@ def test_what_it_says_of_itself_holds(model):
     shown, valid = camera.project(GROUND)
     inside = valid & (shown > 0).all(axis=1) & (shown < np.array(SIZE) - 1).all(axis=1)
     shares = []
-    for seed in range(4):
+    for seed in range(24):
         fit = fit_camera(clicks(camera, seed), COURT, model=model, start=camera)
         sd = fit.projected_sd(GROUND[inside])
         error = np.hypot(*(fit.camera.project(GROUND[inside])[0] - shown[inside]).T)

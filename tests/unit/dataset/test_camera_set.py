@@ -176,6 +176,11 @@ def frame(
         (frame("lost"), "a close-up"),
         (frame("bridged"), "carried over by the picture's motion, not measured on paint"),
         (frame(coverage=0.59), "only 59% of the lines in sight are on paint"),
+        (replace(frame(coverage=0.59), explained=0.95), ""),  # what is missing is worn
+        (
+            replace(frame(coverage=0.25), explained=0.95),
+            "only 25% of the lines in sight are on paint",
+        ),
         (frame(residual_px=2.5), "the paint is 2.5 px from the lines"),
         (frame(residual_px=None), ""),
     ],

@@ -41,6 +41,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
+from tests.drawn_shots import looking_at
 
 SIZE = (960, 540)
 FRAME = ImageFrame(SIZE)
@@ -123,6 +124,42 @@ def test_two_elements_on_each_others_side_are_to_be_swapped(views, field):
     (found,) = findings(swap_classes(view.annotation, *pair), field)
     swaps = [r.renamed for r in found.remedies if r.kind is RemedyKind.SWAP]
     assert (pair, pair[::-1]) in swaps or (pair[::-1], pair) in swaps
+
+
+def test_two_exchanged_keypoints_are_named(field):
+    """Corners that elements share, as of keypoints made lines: no element is wrong as a whole."""
+    camera = looking_at((0.0, 90.0, -40.0), (0.0, 5.0, 0.0), 700.0, SIZE)
+    lines = [e for e in field.elements if e.on_ground and e.is_straight]
+    ends = {e.name: camera.project(np.array([e.geometry.start, e.geometry.end]))[0] for e in lines}
+
+    def annotation(exchanged: dict[tuple[float, ...], tuple[float, ...]]) -> FrameAnnotation:
+        places = {
+            name: [exchanged.get(p, p) for p in map(tuple, px.round(1).tolist())]
+            for name, px in ends.items()
+        }
+        return FrameAnnotation(
+            tuple(
+                Polyline(name, tuple(Point(x / 959, y / 539) for x, y in points))
+                for name, points in places.items()
+            )
+        )
+
+    def check(annotation: FrameAnnotation) -> tuple[Finding, ...]:
+        fit = fit_camera(annotation, field, size=SIZE)
+        return check_labels(annotation, field, size=SIZE, fit=fit)
+
+    assert check(annotation({})) == ()
+    one, other = (
+        tuple(ends[name][0 if name.startswith("Big") else -1].round(1).tolist())
+        for name in ("Big rect. right main", "Side line right")
+    )
+    found, *rest = check(annotation({one: other, other: one}))
+    assert Severity.ERROR not in {finding.severity for finding in rest}
+    assert found.severity is Severity.ERROR
+    assert "two points are exchanged" in found.reason
+    assert set(found.elements) == {
+        "Big rect. right main", "Big rect. right top", "Side line right", "Side line bottom",
+    }  # fmt: skip
 
 
 def test_sides_are_told_where_there_is_no_camera(views, field):
