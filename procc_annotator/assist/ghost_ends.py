@@ -19,6 +19,7 @@ from procc_annotator.assist.visible_line import (
 )
 from procc_annotator.calibration.prediction.ghosts import ElementJoint, ExpectedEnd, Ghost
 from procc_annotator.calibration.prediction.visible_elements import image_edge_point
+from procc_annotator.field.model import BAR
 from procc_annotator.image.line_offsets import offsets_along_curve
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX
 from procc_annotator.image.pixels import PixelArray
@@ -69,12 +70,21 @@ class _Scene:
     ghost: Ghost
 
     def offsets(
-        self, course: FloatArray, across: FloatArray, rows: IntArray, name: str, reach: float
+        self,
+        course: FloatArray,
+        across: FloatArray,
+        rows: IntArray,
+        name: str,
+        reach: float,
+        *,
+        bars_alone: bool = True,
     ) -> FloatArray:
         """(k,) px from places of a course (n, 2) to the paint of an element, along its normals
         (n, 2); NaN where there is none."""
         sought = self.paint.of(name)
-        return offsets_along_curve(self.picture, course, across, rows, sought, reach)
+        return offsets_along_curve(
+            self.picture, course, across, rows, sought, reach, bars_alone=bars_alone
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,17 +191,18 @@ def _detected_line(
     if len(rows) < _LEAST_AGREED:
         return None
     across = polyline_normals(course, 3)
-    offsets = scene.offsets(course, across, rows, name, reach)
-    known = ~np.isnan(offsets)
-    if known.sum() < _LEAST_AGREED:
-        return None
-    places = 2.0 * rows / (len(course) - 1) - 1.0
-    agreed, coefficients = smooth_inliers(
-        places[known], offsets[known], reach, terms=3 if scene.paint.of(name).bends else 2
-    )
-    share = float(agreed.sum() / len(rows))
-    if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
-        return None
+    sought, places = scene.paint.of(name), 2.0 * rows / (len(course) - 1) - 1.0
+    for alone in (False, True) if sought.looks.kind == BAR else (False,):
+        offsets = scene.offsets(course, across, rows, name, reach, bars_alone=alone)
+        known = ~np.isnan(offsets)
+        if known.sum() < _LEAST_AGREED:
+            return None
+        agreed, coefficients = smooth_inliers(
+            places[known], offsets[known], reach, terms=3 if sought.bends else 2
+        )
+        share = float(agreed.sum() / len(rows))
+        if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
+            return None
     shifts = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, len(course)), coefficients)
     painted, hit = course + across * shifts[:, None], rows[known][agreed]
     # Next to the picture's edge there is no ground to one side of it.

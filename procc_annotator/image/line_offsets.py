@@ -41,6 +41,8 @@ def offsets_along_curve(
     rows: IntArray,
     sought: LineTarget,
     reach_px: float,
+    *,
+    bars_alone: bool = True,
 ) -> FloatArray:
     """The offsets of paint from places of a course, which it follows.
 
@@ -51,6 +53,7 @@ def offsets_along_curve(
         rows: (N,) places that are measured.
         sought: what the paint looks like.
         reach_px: how far the paint's middle may be.
+        bars_alone: whether places on bars are examined one by one: it is surer and takes long.
 
     Returns:
         (N,) px along the normals; NaN without paint, or if there is doubt which.
@@ -58,7 +61,7 @@ def offsets_along_curve(
     looks = sought.looks
     if not len(rows) or not is_searchable(sought):
         return np.full(len(rows), np.nan)
-    if looks.kind == BAR:
+    if looks.kind == BAR and bars_alone:
         # What is behind one changes, and may be as bright: each place is examined alone.
         along = np.column_stack([across[rows, 1], -across[rows, 0]])
         found = snap_points_to_lines(picture, course_px[rows], along, sought, reach_px=reach_px)
