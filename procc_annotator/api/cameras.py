@@ -153,8 +153,7 @@ def camera_from_homography(
     Args:
         matrix: (3, 3), metres on the ground (x, y, 1; world frame of `Field`) to px.
         size: (width, height) px of the picture. A homography does not distinguish front from
-            behind:
-            the lower edge of the picture is taken to show ground in front of the camera.
+            behind: the lower edge of the picture is taken to show ground in front of the camera.
         to_ground: whether the matrix is the other way, px to metres.
 
     Returns:
@@ -231,8 +230,7 @@ def save_camera(
             whose file states theirs, are scaled to it. Homographies need one.
         fitted_to: the annotation that the camera was fitted to, where ``camera`` does not know it
             (a fit does). The file, or one next to it that ends in .fit, then says so, and the
-            camera
-            is marked and not ranked wherever it is judged by these clicks.
+            camera is marked and not ranked wherever it is judged by these clicks.
         overwrite: whether a file that is there may be replaced.
 
     Returns:

@@ -48,9 +48,8 @@ def evaluate(
     docs/metrics.md for every number.
 
     A fit knows its picture size, and so do most camera files. **A plain camera does not**: it is
-    taken to be in px of ``size``, 960x540 unless stated otherwise, and a camera in px of
-    another size
-    scores nearly 0.
+    taken to be in px of ``size``, 960x540 unless stated otherwise, and a camera in px of another
+    size scores nearly 0.
 
     Args:
         annotation: what is annotated, points normalised.

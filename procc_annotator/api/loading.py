@@ -100,8 +100,7 @@ def load_dataset(
         field: its elements, metres; or a field's name, see `load_field`; if None the one that the
             dataset says it shows, and the usual one (SoccerNet's classes) where it does not say.
         on_damaged: called for each annotation that cannot be used, which is then left out; None:
-            the
-            first one is raised.
+            the first one is raised.
         labels: a file ``labels.toml`` that says which classes the names of another program stand
             for; None: the dataset's own, if it has one.
 
@@ -220,14 +219,12 @@ def load_cameras(
             program reads.
         format: what the files are, as ``--camera-format`` names it; ``auto`` to look into them.
         on_damaged: called for each camera that cannot be used, which is then left out; None: the
-            first
-            one is raised.
+            first one is raised.
 
     Returns:
         Frame name -> its camera with the picture size (px) that it belongs to, in natural order;
-        what a person should know of them (``notices``) is a warning, too. A
-        frame is found, too, by a name that is composed otherwise, or that has the folders of its
-        picture in it.
+        what a person should know of them (``notices``) is a warning, too. A frame is found, too, by
+        a name that is composed otherwise, or that has the folders of its picture in it.
 
     Raises:
         CameraError: a file cannot be used.

@@ -31,8 +31,7 @@ def close_gaps(
 
     An end of a straight element is moved along its line, by at most `REACH_PX`: to where it meets
     the line of an annotated straight element that it meets on the field, else to the picture's
-    edge. A circle with ends that near is closed with its first point. Points between the ends
-    stay.
+    edge. A circle with ends that near is closed with its first point. Points between the ends stay.
 
     Args:
         polyline: of a class of the field; others come back unchanged.

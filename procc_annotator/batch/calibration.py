@@ -58,8 +58,7 @@ def leave_one_out(
     """The elements of a frame that the others predict, fitted without a start.
 
     An element counts if the others determine a camera (`ill_conditioned_reason` says nothing of
-    it);
-    what has no place on the field is none.
+    it); what has no place on the field is none.
 
     Args:
         annotation: what was fitted.

@@ -201,9 +201,8 @@ class Inference:
         return None if best is None else self.methods[best]
 
     def can_be_bold(self, a: int, b: int, key: str) -> bool:
-        """Return whether a difference of two sources may be reported as one between methods:
-        none of
-        them was fitted to the clicks, and their errors are of the same points."""
+        """Return whether a difference of two sources may be reported as one between methods: none
+        of them was fitted to the clicks, and their errors are of the same points."""
         if not {a, b} <= set(self.methods):
             return False
         return key != "mean_error" or self.sources[a].ground_only == self.sources[b].ground_only

@@ -248,8 +248,7 @@ class TrackRun(SetRun[ShotToTrack, TrackedShot, None]):
         return sum(len(shot.frames) for shot in self.frames)
 
     def tell(self, on_frame: OnFrame) -> bool:
-        """Report frames as they are followed; whether they are, which other processes
-        cannot."""
+        """Report frames as they are followed; whether they are, which other processes cannot."""
         here = isinstance(self.executor, InProcess)
         if here:
             self.task = replace(self.task, on_frame=on_frame)

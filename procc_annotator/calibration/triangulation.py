@@ -418,8 +418,7 @@ def compare_with_survey(
         position: metres.
         covariance: (3, 3) m^2 of the position, if it is known.
         estimate_noise: as of `triangulate`; the place that the clicks themselves determine shows
-            how far
-            they are off.
+            how far they are off.
     """
     able = [view for view in views if not projects_only_ground(view.camera)]
     noise = min(max(triangulate(able, estimate_noise=estimate_noise).noise, 1.0), MAX_NOISE)

@@ -1,6 +1,4 @@
-"""Camera models: pinhole with OpenCV distortion, fisheye, homography and 3 x 4 projection
-matrix.
-"""
+"""Camera models: pinhole with OpenCV distortion, fisheye, homography, 3 x 4 projection matrix."""
 
 from __future__ import annotations
 

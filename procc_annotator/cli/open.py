@@ -47,9 +47,8 @@ def require_qt_libraries(folder: Path | None = None) -> None:
     """Refuse to open the window where system libraries are missing, with the line that installs
     them: Qt would end the process with a list of its plugins.
 
-    Nothing is done on other systems, nor if Qt is not found. What is loaded here Qt
-    would load
-    a moment later.
+    Nothing is done on other systems, nor if Qt is not found. What is loaded here Qt would load a
+    moment later.
 
     Args:
         folder: Qt's, with ``lib`` and ``plugins``; None finds it.

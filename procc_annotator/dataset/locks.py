@@ -2,9 +2,8 @@
 
 A lock file holds the author; its modification time, renewed by each beat, shows that the lock is in
 use; a minute without a beat frees the frame, and so does the end of its process on this machine. A
-lock informs and never prevents saving, so no
-disk failure is raised here. Ages are measured by the clock of the file server: against the time of
-a file made at the same moment next to it.
+lock informs and never prevents saving, so no disk failure is raised here. Ages are measured by the
+clock of the file server: against the time of a file made at the same moment next to it.
 """
 
 from __future__ import annotations

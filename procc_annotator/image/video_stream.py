@@ -205,8 +205,7 @@ class PacketIndex:
         keys: (packets,) whether decoding may begin there; decoding removes those that turn out to
             need what is before them.
         lost: (packets + 1,) whether the frame does not come out intact; decoding adds to it. The
-            last one
-            stands for all that could not be read.
+            last one stands for all that could not be read.
         cut_off: what is missing at the end of the file; empty if nothing is known to be.
     """
 

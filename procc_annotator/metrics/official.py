@@ -1,6 +1,4 @@
-"""Projection of the official SoccerNet evaluation, quirks included, and fold-back of lenses
-there.
-"""
+"""Projection of the official SoccerNet evaluation, quirks included, and fold-back of lenses."""
 
 from __future__ import annotations
 

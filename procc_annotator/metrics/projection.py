@@ -1,6 +1,4 @@
-"""Project the field into the image by the setup's protocol, from a camera or from given
-polylines.
-"""
+"""Project the field into the image by the setup's protocol, from a camera or given polylines."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""Metrics of a set of frames, accumulated per frame; annotated extent; choice of distinct
-views.
-"""
+"""Metrics of a set of frames, accumulated per frame; annotated extent; choice of distinct views."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""Shared parameters of many frames with each frame's camera eliminated; fits at a known
-position.
-"""
+"""Shared parameters of many frames, each frame's camera eliminated; fits at a known position."""
 
 from __future__ import annotations
 

@@ -367,8 +367,7 @@ def _build_group(
 
 def lens_and_roll_prior(vectors: Iterable[FloatArray]) -> LensAndRollPrior:
     """Return what lens and level of a camera usually are, distinguished from its frames'
-    parameters; strong
-    lenses say nothing of one radial coefficient."""
+    parameters; strong lenses say nothing of one radial coefficient."""
     vectors = list(vectors)
     kappas = [vector[KAPPA] for vector in vectors if not is_wide_angle(vector)]
     roll = _robust_mean_sd(np.array([vector[ROLL] for vector in vectors]), _MIN_ROLL_SD)

@@ -1,6 +1,4 @@
-"""Classes whose elements are close to a polyline under a camera, and leave-one-element-out
-refits.
-"""
+"""Classes whose elements are close to a polyline under a camera; leave-one-element-out refits."""
 
 from __future__ import annotations
 

@@ -245,8 +245,7 @@ def find_opposite_frames(
     Args:
         stands: of the frames with a camera.
         field: of a field that half a turn does not take to itself nothing is reported: there the
-            labels
-            of one frame give the side.
+            labels of one frame give the side.
     """
     if field.half_turn is None or not stands:
         return {}

@@ -1,6 +1,4 @@
-"""Rules on single elements and pairs: shape, number and order of points, unknown class,
-overlap.
-"""
+"""Rules on single elements and pairs: shape, number and order of points, unknown class, overlap."""
 
 from __future__ import annotations
 
@@ -39,8 +37,7 @@ from procc_annotator.field.sampling import distances_to, sample_evenly
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths
 from procc_annotator.translation import translatable, translatable_count, translatable_joined
 
-# So many points of an element, more than anyone clicks, are examined if all are compared with
-# all.
+# So many points of an element, more than anyone clicks, are examined if all are compared with all.
 _MAX_POINTS = 1000
 # A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
 _ELLIPSE_POINTS = 5

@@ -257,9 +257,8 @@ def extreme_points(points: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 # Radial coefficients kappa (see `calibration.optimization.camera_parameters`) from the strongest
-# barrel that a fit allows,
-# below 0, to a pincushion beyond any that cameras have: it shows the picture's corners a third
-# farther out than they would lie without it.
+# barrel that a fit allows, below 0, to a pincushion beyond any that cameras have: it shows the
+# picture's corners a third farther out than they would lie without it.
 PLAUSIBLE_KAPPAS = np.linspace(MIN_KAPPA, 0.3, 8)
 
 

@@ -48,9 +48,8 @@ class ControlPoint:
     Attributes:
         world: metres.
         px: where it is in the picture.
-        along: the direction of its line, (3,) metres, of a place that nothing decides from
-            others on
-            it: only the distance across the line counts. None for a corner, an end, a spot.
+        along: the direction of its line, (3,) metres, of a place that nothing decides from others
+            on it: only the distance across the line counts. None for a corner, an end, a spot.
         sd_px: how exactly it could be put there.
     """
 

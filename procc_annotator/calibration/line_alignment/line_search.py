@@ -95,8 +95,7 @@ _FLANK_GAP_STEPS, _FLANK_LENGTH_STEPS = 1, 3
 _AVERAGED_NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
 _PROFILE_MARGIN_STEPS = _WIDTH_STEPS // 2 + _FLANK_GAP_STEPS + _FLANK_LENGTH_STEPS
 # Of a band's contrast: what the grounds next to a narrow line differ by, for its brightest place
-# not
-# to be its middle.
+# not to be its middle.
 _FLANK_DIFFERENCE_RATIO = 2.0
 
 

@@ -1,6 +1,4 @@
-"""Align a nearly correct camera with the line markings in the image; elements that are
-displaced.
-"""
+"""Align a nearly correct camera with the line markings in the image; displaced elements."""
 
 from __future__ import annotations
 

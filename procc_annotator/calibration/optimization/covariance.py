@@ -162,8 +162,7 @@ class PointNoise:
 
     Attributes:
         click_px: standard deviation of a point across its element, solver px.
-        offset_px: of what all points of an element share, across, solver px; mean over the
-            points.
+        offset_px: of what all points of an element share, across, solver px; mean over the points.
         shared_if_any: of the same on the ground, m, and across, solver px, if elements share errors
             at all: drawn ones do not, annotated ones do.
         of_clicks: (n, n) covariance of the free parameters by clicks and prior.

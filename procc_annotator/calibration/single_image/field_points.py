@@ -1,6 +1,4 @@
-"""Points on the field's lines, the nearest one to any ground point, and those in view of a
-camera.
-"""
+"""Points on the field's lines, the nearest to any ground point, and those a camera shows."""
 
 from __future__ import annotations
 

@@ -556,8 +556,7 @@ class _ShotTracker:
 
     def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
         """Return what is believed of a proposed camera (11,): what the paint of its picture
-        reported,
-        if its fit says how much that is."""
+        reported, if its fit says how much that is."""
         if fit.covariance is None:
             return state_from_camera(vector, self.field, self.painted, self.picture)
         return GaussianState(vector, np.asarray(np.linalg.inv(fit.covariance)))

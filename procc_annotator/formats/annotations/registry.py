@@ -63,8 +63,7 @@ class AnnotationFormat:
         read: reads a set; None for formats that are only written.
         sniff_json: whether decoded JSON is of this format.
         sniff: whether bytes are.
-        decode_existing: reads a file that keeps its other content; None where that is
-            not possible.
+        decode_existing: reads a file that keeps its other content; None where that is not possible.
         classes: the field it is for: ``any`` field's, ``soccernet`` for SoccerNet's alone, or
             ``leaning`` where optional elements next to SoccerNet's classes are left out unless they
             are asked for.

@@ -182,8 +182,7 @@ class Navigator(QObject):
     # --- inside ---
 
     def _look_at(self, path: Path) -> dict[str, object]:
-        """The picture; where that is to be decoded, a large one is examined in half its size
-        first.
+        """The picture; where that is to be decoded, a large one is examined in half its size first.
 
         Raises:
             ImageError: it is not a readable picture.
