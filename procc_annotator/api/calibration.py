@@ -118,7 +118,7 @@ def propose_camera(
         ImageError: the file cannot be read.
         FieldError: no such field.
     """
-    if not POSSIBLE_FROM <= sure_from <= 1:
+    if not isinstance(sure_from, int | float) or not POSSIBLE_FROM <= sure_from <= 1:
         raise UsageError(f"sure_from: expected a probability from {POSSIBLE_FROM} to 1")
     shown = as_field(field, pixel_aspect)
     return propose.propose_camera(as_picture(picture), shown, known=known, sure_from=sure_from)

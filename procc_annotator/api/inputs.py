@@ -153,8 +153,11 @@ def as_field(field: object, pixel_aspect: float | None = None) -> Field:
         UsageError: it is not one, or no aspect. FieldError: there is no such field.
     """
     if pixel_aspect is not None:
-        if not 0 < pixel_aspect < MAX_PIXEL_ASPECT:
-            raise UsageError(f"pixel_aspect: expected 0 to {MAX_PIXEL_ASPECT:g}")
+        if not isinstance(pixel_aspect, int | float) or not 0 < pixel_aspect < MAX_PIXEL_ASPECT:
+            raise UsageError(
+                "pixel_aspect: expected the width of a pixel over its height, more than 0 and less"
+                f" than {MAX_PIXEL_ASPECT:g}, found {pixel_aspect!r}"
+            )
         return replace(as_field(field), pixels=PixelAspect(float(pixel_aspect), 1.0))
     if isinstance(field, Field):
         return field

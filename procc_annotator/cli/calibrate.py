@@ -161,7 +161,8 @@ def calibrate(given: CalibrateOptions) -> None:
         remarks.report_camera_names(source)
         sizes = fit_sizes(source, place, given.dataset, given.size)
         pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
-        setup = replace(setup, field=options.with_estimated_pixels(setup.field, pictures))
+        shown = options.with_estimated_pixels(setup.field, pictures, given.size)
+        setup = replace(setup, field=shown)
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
             with Checkpoint(left, asked, resume=going_on) as kept:

@@ -10,7 +10,7 @@ import typer
 
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.label_check import CheckRun
-from procc_annotator.batch.set_run import WORTH_WORKERS
+from procc_annotator.batch.set_run import WORTH_WORKERS, annotation_files
 from procc_annotator.calibration.fitting import require_known_model
 from procc_annotator.calibration.label_check.finding import Severity, severity_from_name
 from procc_annotator.cli import options, outputs
@@ -106,6 +106,7 @@ def check(
     paint: Paint = True,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT,
     labels: options.LabelsFile = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
@@ -118,12 +119,14 @@ def check(
         label_check.check_findings_suffix(path)
         outputs.check_output_folder(path)
     place = annotations_of(dataset)
-    known = chosen_field(field, dataset, lines=lines)
+    known = chosen_field(field, dataset, lines=lines, pixel_aspect=pixel_aspect)
     with open_annotations(place, known, options.label_map(labels, known)) as source:
         outputs.check_not_inputs(written_to, [source])
         sizes = fit_sizes(source, place, dataset, size)
         mismatch = report_mismatch(source, known)
         report_camera_names(source)
+        pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
+        known = options.with_estimated_pixels(known, pictures, size)
         run = CheckRun(source, known, sizes, model, looks=paint)
         wrong = mismatch is not None and mismatch.is_whole
         report = _check_set(run, written_to, shown, workers, dask, wrong_field=wrong)

@@ -144,23 +144,33 @@ def parse_pixel_aspect(text: str) -> PixelAspect | None:
     return known
 
 
-def with_estimated_pixels(field: Field, pictures: Sequence[tuple[str, Path | None]]) -> Field:
+def with_estimated_pixels(
+    field: Field, pictures: Sequence[tuple[str, Path | None]], size: str | None = None
+) -> Field:
     """The field with the pixels of the pictures, which are estimated if nothing says what they are,
     and stated if they are not square.
 
     Args:
         field: the elements.
         pictures: each with the name of its frame, of some set; None for one that is not there.
+        size: ``WIDTHxHEIGHT`` of pictures that are not there.
     """
     # Loads what finds cameras, which most commands do without.
     from procc_annotator.batch.camera_proposals import set_pixel_aspect
+    from procc_annotator.calibration.single_image.pixel_aspect import possible_pixel_aspects
 
     there = [(name, path) for name, path in pictures if path is not None]
     pixels = field.pixels or set_pixel_aspect(there, field)
     if pixels is not None:
+        estimated = f" (probability {100 * pixels.probability:.1f} %)"
         echo(
             f"pixels are {pixels.value:.3f} times as wide as high"
-            f" (probability {100 * pixels.probability:.1f} %)"
+            f"{', as stated' if pixels.probability == 1 else estimated}"
+        )
+    elif not there and size and len(possible_pixel_aspects(parse_size(size))) > 1:
+        echo(
+            f"pictures of {size} may be squeezed, and none is there to tell: their pixels are taken"
+            " for square, unless --pixel-aspect states otherwise"
         )
     return field if pixels is None else replace(field, pixels=pixels)
 

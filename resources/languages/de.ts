@@ -546,6 +546,11 @@
    <translation>die gefundene Farbe würde die Kamera zu weit verschieben</translation>
   </message>
   <message>
+   <source>the pixels may not be {aspect:.3f} times as wide as high ({percent:.0f} %)</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>die Pixel sind vielleicht nicht {aspect:.3f}-mal so breit wie hoch ({percent:.0f} %)</translation>
+  </message>
+  <message>
    <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
    <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
    <translation>die Spur liegt {px:.0f} px neben dem nächsten Bild, dessen Kamera bekannt war</translation>

@@ -546,6 +546,11 @@
    <translation>la pintura hallada movería demasiado la cámara</translation>
   </message>
   <message>
+   <source>the pixels may not be {aspect:.3f} times as wide as high ({percent:.0f} %)</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>los píxeles quizá no sean {aspect:.3f} veces más anchos que altos ({percent:.0f} %)</translation>
+  </message>
+  <message>
    <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
    <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
    <translation>el seguimiento se aparta {px:.0f} px de la imagen más cercana cuya cámara se conocía</translation>

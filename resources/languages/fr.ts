@@ -546,6 +546,11 @@
    <translation>la peinture trouvée déplacerait trop la caméra</translation>
   </message>
   <message>
+   <source>the pixels may not be {aspect:.3f} times as wide as high ({percent:.0f} %)</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>les pixels ne sont peut-être pas {aspect:.3f} fois plus larges que hauts ({percent:.0f} %)</translation>
+  </message>
+  <message>
    <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
    <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
    <translation>le suivi s’écarte de {px:.0f} px de l’image la plus proche dont la caméra était connue</translation>

@@ -538,6 +538,11 @@
    <translation>見つかった塗りではカメラが動きすぎます</translation>
   </message>
   <message>
+   <source>the pixels may not be {aspect:.3f} times as wide as high ({percent:.0f} %)</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>画素の横幅は高さの {aspect:.3f} 倍でないかもしれません（{percent:.0f} %）</translation>
+  </message>
+  <message>
    <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
    <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
    <translation>追跡は、カメラが既知だった最も近いフレームから {px:.0f} px ずれています</translation>

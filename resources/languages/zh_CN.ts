@@ -538,6 +538,11 @@
    <translation>找到的画线会使相机移动过多</translation>
   </message>
   <message>
+   <source>the pixels may not be {aspect:.3f} times as wide as high ({percent:.0f} %)</source>
+   <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
+   <translation>像素的宽高比可能不是 {aspect:.3f}（{percent:.0f} %）</translation>
+  </message>
+  <message>
    <source>the track is {px:.0f} px off the nearest frame whose camera was known</source>
    <extracomment>[procc_annotator/calibration/tracking/shot_tracker.py]</extracomment>
    <translation>跟踪结果与最近的已知相机帧相差 {px:.0f} px</translation>

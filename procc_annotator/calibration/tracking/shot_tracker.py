@@ -33,6 +33,7 @@ from procc_annotator.calibration.single_image.pixel_aspect import (
     stretched_size,
     with_square_pixels,
 )
+from procc_annotator.calibration.single_image.probability import SURE_FROM
 from procc_annotator.calibration.single_image.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.calibration.single_image.propose import (
     ASPECT_PICTURES,
@@ -139,6 +140,16 @@ _JUDGED_FRAMES, _LEAST_JUDGED = 50, 4
 _SKIPPED_SHARE = 0.5
 
 
+def _unsure_pixels_text(field: Field) -> str:
+    if field.pixels is None or field.pixels.probability >= SURE_FROM:
+        return ""
+    return translatable(
+        "the pixels may not be {aspect:.3f} times as wide as high ({percent:.0f} %)",
+        aspect=field.pixels.value,
+        percent=100 * field.pixels.probability,
+    )
+
+
 def _is_recent(number: int, looked: tuple[int, float] | None, frames: int) -> bool:
     return looked is not None and number - looked[0] < frames
 
@@ -190,11 +201,14 @@ def track_shot(
         field = replace(field, pixels=pixels or SQUARE_PIXELS)
     if (aspect := field.pixel_aspect) != 1:
         square = stretched_size(size, aspect)
+        unsure = _unsure_pixels_text(field)
 
         def in_picture(one: TrackedFrame) -> TrackedFrame:
             off = one.residual_px and one.residual_px * (height - 1) / (square[1] - 1)
             own = replace(one, fit=one.fit and fit_in_picture(one.fit, size), residual_px=off)
-            return _anchor_frame(own, given[one.number]) if one.state == "anchor" else own
+            if one.state == "anchor":
+                return _anchor_frame(own, given[one.number])
+            return replace(own, reason=own.reason or unsure)
 
         stretched = track_shot(
             lambda number: with_square_pixels(frame(number), aspect),
