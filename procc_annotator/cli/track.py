@@ -281,6 +281,9 @@ def _interrupted_message(stopped: Interrupted, out: Path) -> str:
     )
 
 
+_NAMED_ANCHORS = 3
+
+
 def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int:
     console = stdout_console()
     console.print(shots_table(table))
@@ -288,5 +291,9 @@ def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int
         console.print(gaps)
     if kept:
         echo(f"followed before: {pluralize(kept, 'shot')} (--overwrite follows them again)")
+    anchors = [(name, row) for name, row in table.rows.items() if row["state"] == "anchor"]
+    if unseen := [name for name, row in anchors if not row["coverage"]]:
+        count, some = pluralize(len(unseen), "anchor"), ", ".join(unseen[:_NAMED_ANCHORS])
+        echo(f"{count} without any line on paint: cameras of other pictures? {some}")
     echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
     return remarks.report_unreadable([*problems, *table.errors])

@@ -5,6 +5,7 @@ import math
 import re
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -192,6 +193,15 @@ def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
     assert looks == [(0, 0), (CUT, 0), (CUT, 1)]
     assert f"{FRAMES} of {FRAMES} frames have a camera" in done.stdout
     assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(FRAMES)]
+
+
+def test_an_anchor_of_another_picture_is_named(cli, shot, video, cameras, tmp_path):
+    name = name_of(ANCHORS[0])
+    camera = replace(shot.cameras[ANCHORS[0]], pan_rad=shot.cameras[ANCHORS[0]].pan_rad + 1.0)
+    size = {"image_width": SIZE[0], "image_height": SIZE[1]}
+    (cameras / f"camera_{name}.json").write_bytes(write_camera(camera, size))
+    done = cli("track", video, tmp_path / "out", "--cameras", cameras, "--from", name)
+    assert f"1 anchor without any line on paint: cameras of other pictures? {name}" in done.stdout
 
 
 def test_anchors_that_are_given_later_are_used(cli, video, cameras, followed):
