@@ -222,9 +222,9 @@ def _distances(places: FloatArray, others: FloatArray) -> FloatArray:
     (x, y), (u, v) = places.T, others.T
     away = x[:, None] - u
     away *= away
-    beside = y[:, None] - v
-    beside *= beside
-    away += beside
+    across = y[:, None] - v
+    across *= across
+    away += across
     return np.asarray(np.sqrt(away, out=away))
 
 

@@ -27,10 +27,11 @@ from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
 )
 from procc_annotator.calibration.optimization.covariance import (
+    DISPLACEMENT_M,
     estimate_noise,
     is_opposite_end_possible,
     max_direction_sd,
-    parameter_covariance,
+    parameter_information,
     picture_distances,
     projected_covariance,
 )
@@ -231,13 +232,11 @@ class FitResult:
         by_camera = self if self.if_shared is None else replace(self, covariance=self.if_shared)
         squares = by_camera.projected_sd(points_world, normals) ** 2
         squares += (self.error_px or 0.0) ** 2 + shared_px**2
-        for step in _DISPLACEMENT_M * np.eye(3)[:2]:
+        for step in DISPLACEMENT_M * np.eye(3)[:2]:
             moved = self.camera.project(points_world + step)[0] - here
-            squares += (shared_m / _DISPLACEMENT_M * (moved * normals).sum(axis=1)) ** 2
+            squares += (shared_m / DISPLACEMENT_M * (moved * normals).sum(axis=1)) ** 2
         return np.asarray(np.sqrt(squares))
 
-
-_DISPLACEMENT_M = 0.01  # for derivatives by differences
 
 # Standard deviations beyond which a camera is hardly determined: about twice what the worst of the
 # 186 frames of World Cup 2014 have (model R: 0.5 degrees, 6.4 % of the way, 7 % of the focal
@@ -375,7 +374,7 @@ def fit_result_from(
         other_end=is_opposite_end_possible(found, field, frame),
         offset_px=noise.offset_px / frame.scale,
         of_clicks=noise.of_clicks,
-        information=np.asarray(np.linalg.inv(parameter_covariance(found, noise.click_px))),
+        information=parameter_information(found, noise.click_px),
         if_shared=noise.if_shared,
         shared_if_any=(noise.shared_if_any[0], noise.shared_if_any[1] / frame.scale),
         pixel_aspect=frame.pixel_aspect,

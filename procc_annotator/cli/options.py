@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path, PurePosixPath
 from typing import Annotated
 
@@ -160,7 +161,10 @@ def with_estimated_pixels(
     from procc_annotator.calibration.single_image.pixel_aspect import possible_pixel_aspects
 
     there = [(name, path) for name, path in pictures if path is not None]
-    pixels = field.pixels or set_pixel_aspect(there, field)
+    searching = cache(
+        lambda: echo("the pictures may be squeezed: estimating their pixel aspect ...", err=True)
+    )
+    pixels = field.pixels or set_pixel_aspect(there, field, searching)
     if pixels is not None:
         estimated = f" (probability {100 * pixels.probability:.1f} %)"
         echo(

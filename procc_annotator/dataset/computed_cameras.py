@@ -8,7 +8,7 @@ from functools import cached_property
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.tracking.track import TrackedFrame
+from procc_annotator.calibration.tracking.track import MIN_COVERAGE, TrackedFrame
 from procc_annotator.dataset.camera_set import CameraForFrame
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
 from procc_annotator.translation import translatable
@@ -86,10 +86,10 @@ class FittedCameras:
 
 TRACK_NAME = "track"  # no cameras from files are called so
 
-# Of the visible model, found on paint; and of the line pixels on the field, explained: of right
-# cameras nine in ten are. Then nothing speaks for lines elsewhere: those that were not found are
-# worn, or too thin to be seen, unless hardly any were found.
-_LEAST_COVERAGE, _LEAST_EXPLAINED, _HARDLY_ANY = 0.65, 0.9, 0.3
+# Of the line pixels on the field, explained: of right cameras nine in ten are. Then nothing speaks
+# for lines elsewhere: those that were not found are worn, or too thin to be seen, unless hardly any
+# of the visible model was found.
+_LEAST_EXPLAINED, _HARDLY_ANY = 0.9, 0.3
 _MOST_RESIDUAL = 2.0 / 1280  # of the picture's width
 
 
@@ -113,7 +113,7 @@ def review_reason(frame: TrackedFrame) -> str:
             "carried over by the picture's motion, not measured on paint"
         )
     worn = frame.coverage >= _HARDLY_ANY and (frame.explained or 0.0) >= _LEAST_EXPLAINED
-    if frame.coverage < _LEAST_COVERAGE and not worn:
+    if frame.coverage < MIN_COVERAGE and not worn:
         share = frame.coverage
         return translatable("only {share:.0%} of the lines in sight are on paint", share=share)
     most = most_residual_px(frame.fit.size[0] * frame.fit.pixel_aspect)

@@ -58,15 +58,26 @@ def offsets_along_curve(
     Returns:
         (N,) px along the normals; NaN without paint, or if there is doubt which.
     """
-    looks = sought.looks
     if not len(rows) or not is_searchable(sought):
         return np.full(len(rows), np.nan)
-    if looks.kind == BAR and bars_alone:
+    if sought.looks.kind == BAR and bars_alone:
         # What is behind one changes, and may be as bright: each place is examined alone.
         along = np.column_stack([across[rows, 1], -across[rows, 0]])
         found = snap_points_to_lines(picture, course_px[rows], along, sought, reach_px=reach_px)
         return np.asarray(((found - course_px[rows]) * across[rows]).sum(axis=1))
-    least, most = sought.width_px
+    return _band_offsets(picture, course_px, across, rows, sought, reach_px)
+
+
+def _band_offsets(
+    picture: PixelArray,
+    course_px: FloatArray,
+    across: FloatArray,
+    rows: IntArray,
+    sought: LineTarget,
+    reach_px: float,
+) -> FloatArray:
+    """`offsets_along_curve` by the bands of all places at once."""
+    (least, most), looks = sought.width_px, sought.looks
     is_edge, every = looks.kind == EDGE, np.arange(len(rows))
     widths = np.array(
         [w for w in _WIDTHS if (w - 1) * STEP_PX <= most] if not is_edge else [_EDGE_WIDTH]

@@ -46,8 +46,8 @@ def max_direction_sd(covariances: FloatArray) -> FloatArray:
     return np.asarray(np.sqrt(half + apart))
 
 
-def parameter_covariance(found: CameraSolution, error_px: float) -> FloatArray:
-    """(n, n) covariance of the free parameters.
+def parameter_information(found: CameraSolution, error_px: float) -> FloatArray:
+    """(n, n) information of points and prior on the free parameters.
 
     The n points of an element count as the square root of n independent ones, as they do in the
     fit: what makes an element lie next to the model moves all its points.
@@ -56,9 +56,14 @@ def parameter_covariance(found: CameraSolution, error_px: float) -> FloatArray:
         found: a fit.
         error_px: standard deviation of a point across its element, solver px.
     """
-    information = found.solution.normal[0] / error_px**2
-    information = information + np.diag(found.prior.inverse_sd[0] ** 2)
-    covariance = np.linalg.inv(information)
+    return np.asarray(
+        found.solution.normal[0] / error_px**2 + np.diag(found.prior.inverse_sd[0] ** 2)
+    )
+
+
+def parameter_covariance(found: CameraSolution, error_px: float) -> FloatArray:
+    """(n, n) inverse of the information of points and prior."""
+    covariance = np.linalg.inv(parameter_information(found, error_px))
     return np.asarray((covariance + covariance.T) / 2)
 
 
@@ -152,7 +157,7 @@ def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFr
 PRIOR_OFFSET_WIDTHS, PRIOR_OFFSET_PX = 0.6, 0.5
 _LINE_WIDTH_M = 0.12  # where the field says none
 _MIN_ROBUST_SD_PX, _MIN_SPARE_ROWS, _HUBER_SD = 0.3, 4, 2.0
-_DISPLACEMENT_M = 0.01  # for derivatives by differences
+DISPLACEMENT_M = 0.01  # for derivatives by differences
 _TINY = 1e-12
 
 
@@ -262,9 +267,9 @@ def _residuals_and_displacements(
         return off, off.derivatives[0, POSITION_SLICE][:2]
     for axis in range(2):
         shift = np.eye(3)
-        shift[axis, 2] = _DISPLACEMENT_M
+        shift[axis, 2] = DISPLACEMENT_M
         there = homography_residuals(found.vector[None], seen, found.basis @ shift)
-        moved.append((there.values[0] - off.values[0]) / _DISPLACEMENT_M)
+        moved.append((there.values[0] - off.values[0]) / DISPLACEMENT_M)
     return off, np.array(moved)
 
 

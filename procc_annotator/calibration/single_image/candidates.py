@@ -190,8 +190,8 @@ def search_scene(
     """The cameras that suit the line pixels of a picture best."""
     half_height = float(round(paint.half_height))
     if place is None:
-        scene, stages = SearchScene(lines, paint), SEARCH_STAGES_WIDE if wide else SEARCH_STAGES
-        more = _WIDE_SEARCH if wide else 1
+        scene = SearchScene(lines, paint)
+        stages, more = (SEARCH_STAGES_WIDE, _WIDE_SEARCH) if wide else (SEARCH_STAGES, 1)
         hypotheses = [
             (
                 hypotheses_on_side(lines, half_height, side),
@@ -201,10 +201,8 @@ def search_scene(
         ]
     else:
         x, y, z = place.position_m.tolist()
-        scene, stages = (
-            SearchScene(lines, paint, _prior_at_position(place, lines)),
-            SEARCH_STAGES_KNOWN,
-        )
+        scene = SearchScene(lines, paint, _prior_at_position(place, lines))
+        stages = SEARCH_STAGES_KNOWN
         hypotheses = [
             (hypotheses_at_positions(lines, half_height, ((x, y, z),)), _ICP_POINTS_KNOWN)
         ]

@@ -66,7 +66,12 @@ from procc_annotator.calibration.tracking.smoother import (
     SmoothedChain,
     smooth_chain,
 )
-from procc_annotator.calibration.tracking.track import FrameState, Track, TrackedFrame
+from procc_annotator.calibration.tracking.track import (
+    MIN_COVERAGE,
+    FrameState,
+    Track,
+    TrackedFrame,
+)
 from procc_annotator.camera.base import Camera, scaled_camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
@@ -75,7 +80,6 @@ from procc_annotator.translation import translatable
 # Shots of one match agree on the tripod to about a metre; standard deviation of each axis.
 _MIN_SEPARATION_M = 0.7
 _MAX_MAHALANOBIS, _MAX_DISTANCE_M = 3.5, 5.0
-MIN_COVERAGE = 0.65  # below it a frame is doubtful, unless the line pixels there are explained
 
 
 def is_at_known_position(
@@ -199,28 +203,8 @@ def track_shot(
         some = numbers[:: max(len(numbers) // ASPECT_PICTURES, 1)]
         pixels = estimate_pixel_aspect(((frame(number), field) for number in some), go_on)
         field = replace(field, pixels=pixels or SQUARE_PIXELS)
-    if (aspect := field.pixel_aspect) != 1:
-        square = stretched_size(size, aspect)
-        unsure = _unsure_pixels_text(field)
-
-        def in_picture(one: TrackedFrame) -> TrackedFrame:
-            off = one.residual_px and one.residual_px * (height - 1) / (square[1] - 1)
-            own = replace(one, fit=one.fit and fit_in_picture(one.fit, size), residual_px=off)
-            if one.state == "anchor":
-                return _anchor_frame(own, given[one.number])
-            return replace(own, reason=own.reason or unsure)
-
-        stretched = track_shot(
-            lambda number: with_square_pixels(frame(number), aspect),
-            numbers,
-            replace(field, pixels=SQUARE_PIXELS),
-            anchors={n: cast(Camera, scaled_camera(c, size, square)) for n, c in given.items()},
-            known=known,
-            propose=propose,
-            on_frame=lambda one: on_frame(in_picture(one)),
-            go_on=go_on,
-        )
-        return replace(stretched, frames=tuple(map(in_picture, stretched.frames)))
+    if field.pixel_aspect != 1:
+        return _track_stretched(frame, numbers, field, given, known, propose, on_frame, go_on)
     work = _ShotTracker(
         frame,
         field,
@@ -239,6 +223,42 @@ def track_shot(
     return Track(
         tuple(work.found[n] for n in sorted(work.found)), tuple(zip(begins, ends, strict=True))
     )
+
+
+def _track_stretched(
+    frame: ReadFrame,
+    numbers: range,
+    field: Field,
+    anchors: Mapping[int, Camera],
+    known: Sequence[KnownPosition],
+    propose: CameraProposer | None,
+    on_frame: Callable[[TrackedFrame], None],
+    go_on: Callable[[], None],
+) -> Track:
+    """`track_shot` in pictures stretched until their pixels are square, in px of those as they
+    are."""
+    height, width = frame(numbers[0]).shape[:2]
+    aspect, size = field.pixel_aspect, (width, height)
+    square, unsure = stretched_size(size, aspect), _unsure_pixels_text(field)
+
+    def in_picture(one: TrackedFrame) -> TrackedFrame:
+        off = one.residual_px and one.residual_px * (height - 1) / (square[1] - 1)
+        own = replace(one, fit=one.fit and fit_in_picture(one.fit, size), residual_px=off)
+        if one.state == "anchor":
+            return _anchor_frame(own, anchors[one.number])
+        return replace(own, reason=own.reason or unsure)
+
+    stretched = track_shot(
+        lambda number: with_square_pixels(frame(number), aspect),
+        numbers,
+        replace(field, pixels=SQUARE_PIXELS),
+        anchors={n: cast(Camera, scaled_camera(c, size, square)) for n, c in anchors.items()},
+        known=known,
+        propose=propose,
+        on_frame=lambda one: on_frame(in_picture(one)),
+        go_on=go_on,
+    )
+    return replace(stretched, frames=tuple(map(in_picture, stretched.frames)))
 
 
 def _default_proposer(

@@ -10,6 +10,8 @@ from procc_annotator.calibration.result import FitResult
 # Given beforehand; measured on the frame's own paint; propagated by the picture's motion; none.
 FrameState = Literal["anchor", "followed", "bridged", "lost"]
 
+MIN_COVERAGE = 0.65  # below it a frame is doubtful, unless the line pixels there are explained
+
 
 @dataclass(frozen=True, eq=False)
 class TrackedFrame:
