@@ -108,15 +108,16 @@ def propose_camera(
     pixels = field.pixels
     possible = possible_pixel_aspects(size) if pixels is None else (pixels,)
     elsewhere = elsewhere or not known
-    found = [
-        found_camera(picture, field, aspect.value, known=known, elsewhere=elsewhere, go_on=go_on)
-        for aspect in possible
-    ]
-    if elsewhere and not any(one is None or one.is_possible for one in found):
+    for wide in (False, True):
         found = [
-            found_camera(picture, field, aspect.value, known=known, wide=True, go_on=go_on)
+            found_camera(
+                picture, field, aspect.value,
+                known=known, elsewhere=elsewhere, wide=wide, go_on=go_on,
+            )
             for aspect in possible
-        ]
+        ]  # fmt: skip
+        if not elsewhere or any(one is None or one.is_possible for one in found):
+            break
     if len(found) > 1:
         pixels = most_probable_aspect(possible, [[one.sample if one else None] for one in found])
     best = found[[one.value for one in possible].index(pixels.value)] if pixels else found[0]
