@@ -8,7 +8,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -42,6 +41,7 @@ from procc_annotator.camera.models import (
 )
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.figures import overlay
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
@@ -58,13 +58,12 @@ from procc_annotator.formats.cameras.writers import (
     writer_of,
 )
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interaction import overlay_figure
-from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay import OverlayContent
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.projection import project_markings
 from procc_annotator.metrics.score import display_score
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
-from procc_annotator.report.overlay_scene import OverlayLook, check_pixels
+from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.version import __version__
 
 
@@ -348,13 +347,6 @@ def draw_overlay(
         picture_size=(width, height),
         paint=paint,
     )
-    at, unit = OverlayLook(scale).scale_and_unit(width)
-    if at != 1:
-        larger = max(1, round(width * at)), max(1, round(height * at))
-        check_pixels(*larger)
-        method = cv2.INTER_AREA if at < 1 else cv2.INTER_CUBIC
-        pixels = np.asarray(cv2.resize(pixels, larger, interpolation=method), np.uint8)
-    overlay = OverlayBuilder().build(shown)
-    drawn = overlay_figure.draw_overlay(pixels, overlay, scale=at, unit=unit, caption=caption)
+    drawn = overlay.draw_overlay(pixels, shown, OverlayLook(scale), caption=caption)
     assert not isinstance(drawn, bytes)  # that is an SVG
     return np.ascontiguousarray(drawn[:, :, :3])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -19,7 +20,6 @@ from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.options import chosen_field
-from procc_annotator.cli.painters import pair_painter
 from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
@@ -34,6 +34,7 @@ from procc_annotator.dataset.layout import annotations_or_path, has_pictures_bel
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.figures.disagreement import DisagreementPainter
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annotations
@@ -81,6 +82,15 @@ _LEVELS_AROUND = 2
 _THIRD = "intervals_versus"  # the sheet of the intervals of C
 
 
+class FigureFormat(StrEnum):
+    """Encodings of the pictures."""
+
+    png = "png"
+    jpg = "jpg"
+    svg = "svg"
+    pdf = "pdf"
+
+
 First = Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")]
 Second = Annotated[str, typer.Argument(metavar="B", help="The second source.")]
 Dataset = Annotated[
@@ -95,6 +105,9 @@ Pictures = Annotated[
     typer.Option(
         "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
     ),
+]
+Encoding = Annotated[
+    FigureFormat, typer.Option("--format", help="Encoding of the pictures; svg and pdf are sharp.")
 ]
 Worst = Annotated[
     int,
@@ -146,6 +159,7 @@ class CompareOptions:
     camera_size: options.CameraSize = None
     output: options.FigureFiles = None
     pictures: Pictures = None
+    picture_format: Encoding = FigureFormat.png
     worst: Worst = 10
     intervals: Intervals = False
     versus: Versus = None
@@ -203,7 +217,8 @@ def compare(given: CompareOptions) -> None:
     for path in written_to:  # before the tables: whoever reads them may stop after the first
         write_comparison(compared, comparison, path)
     if given.pictures is not None:
-        told += _draw(compared, comparison, given.pictures, images, given.worst or None)
+        suffix = f".{given.picture_format.value}"
+        told += _draw(compared, comparison, given.pictures, images, given.worst or None, suffix)
     _print_comparison(compared, given.worst or count)
     for line in told:
         echo(line)
@@ -361,11 +376,12 @@ def _draw(
     out: Path,
     images: dict[str, Path],
     count: int | None,
+    suffix: str,
 ) -> list[str]:
-    painter = pair_painter()
-    if painter is None:
-        return []
-    painted = paint_frames(compared, comparison, out, painter, pictures=images, count=count)
+    painted = paint_frames(
+        compared, comparison, out, DisagreementPainter(suffix), pictures=images, count=count,
+        suffix=suffix,
+    )  # fmt: skip
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
     return [f"{pluralize(drawn, 'disagreement picture')} written to {out}"]

@@ -29,6 +29,7 @@ from procc_annotator.dataset.layout import (
     has_pictures_below,
     pictures_in,
 )
+from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.dataset.workspace import (
     AnnotatedFrames,
     Workspace,
@@ -39,7 +40,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
 from procc_annotator.formats.file_source import FileSource
-from procc_annotator.image.headers import PICTURE_SUFFIXES
+from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
 Dataset = Annotated[
     Path,
@@ -60,7 +61,12 @@ Cameras = Annotated[
 
 
 def open_dataset(
-    path: Path, field: Field, annotations: Path | None = None, names: LabelMap | None = None
+    path: Path,
+    field: Field,
+    annotations: Path | None = None,
+    names: LabelMap | None = None,
+    *,
+    videos: bool = False,
 ) -> Workspace:
     """The dataset, to be read: its annotations may be of any format. It has a picture.
 
@@ -68,6 +74,7 @@ def open_dataset(
         path, field: of the dataset.
         annotations: where they are, if elsewhere.
         names: what their labels stand for; None: as the dataset's own map says, if it has one.
+        videos: whether a video is a dataset of all its frames.
 
     Raises:
         UsageError: no such folder, or no picture in it.
@@ -76,6 +83,14 @@ def open_dataset(
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
+    if videos and path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
+        video = open_pictures(path, annotations)
+        workspace = Workspace(path, video.frames, field, video.notices, video.folder)
+        workspace.given = FrameAnnotations()  # of the folder of its frames
+        if annotations is not None:
+            workspace.given = video.annotated(annotations, field, names)
+        report_remarks((*workspace.notices, *video.problems, *workspace.given.notices))
+        return workspace
     held = "" if path.is_dir() else found_instead_of_pictures(path)
     if held:
         raise UsageError(f"nothing to do: there is no picture in {path}{held}")

@@ -221,6 +221,7 @@ COMMANDS = (
         "render",
         "Draw the pictures of a dataset with annotation and, given cameras, the projected field.",
     ),
+    LazyCommand("figure", "Draw frames by methods in one figure, as SVG, PDF or PNG."),
     LazyCommand(
         "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
     ),

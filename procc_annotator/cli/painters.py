@@ -8,20 +8,17 @@ from functools import cache
 from pathlib import Path
 
 import cv2
-import numpy as np
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import SaveError
-from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.interaction.overlay_figure import draw_overlay
-from procc_annotator.report.comparison import Paint as PaintPair
+from procc_annotator.figures.overlay import draw_overlay, scene_content
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.report.overlay_scene import (
     OverlayLook,
-    Paint,
+    OverlayPainter,
     Scene,
     caption,
     check_overlay_suffix,
-    check_pixels,
     pixels_of,
 )
 
@@ -44,13 +41,13 @@ def missing_qt() -> str:
     return ""
 
 
-def overlay_painter(suffix: str, look: OverlayLook | None = None) -> Paint:
+def overlay_painter(suffix: str, look: OverlayLook | None = None) -> OverlayPainter:
     """Paints overlays as ``.png``, ``.jpg`` or ``.svg``; says once on stderr if it is without Qt.
 
     Raises:
         UsageError: another suffix.
     """
-    if _can_paint("pictures are drawn plainer, without a legend"):
+    if _can_paint():
         from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
 
         return OverlayPictures(suffix, look)
@@ -58,19 +55,11 @@ def overlay_painter(suffix: str, look: OverlayLook | None = None) -> Paint:
     return _PlainPictures(suffix, look if look is not None else OverlayLook())
 
 
-def pair_painter(suffix: str = ".png") -> PaintPair | None:
-    """Paints where two cameras disagree; None, said on stderr, without Qt."""
-    if not _can_paint("pictures of disagreement are left out"):
-        return None
-    from procc_annotator.gui.canvas.comparison_picture import ComparisonPictures
-
-    return ComparisonPictures(suffix)
-
-
 @cache
-def _can_paint(otherwise: str) -> bool:
+def _can_paint() -> bool:
     if why := missing_qt():
-        echo(f"note: Qt cannot be loaded here ({why}): {otherwise}", err=True)
+        plainer = "pictures are drawn plainer, without a legend"
+        echo(f"note: Qt cannot be loaded here ({why}): {plainer}", err=True)
     return not why
 
 
@@ -81,31 +70,22 @@ class _PlainPictures:
         self._suffix, self._look = suffix, look
 
     def __call__(self, scene: Scene) -> bytes:
-        pixels = pixels_of(scene)
-        height, width = pixels.shape[:2]
-        scale, unit = self._look.scale_and_unit(width)
-        size = max(1, round(width * scale)), max(1, round(height * scale))
-        check_pixels(*size)
-        if scale != 1:
-            method = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
-            pixels = np.asarray(cv2.resize(pixels, size, interpolation=method), np.uint8)
-        shown = OverlayContent(
-            annotation=scene.annotation,
-            size=scene.setup.size,
-            field=scene.setup.field,
-            measurement=scene.measurement,
-            score=scene.score,
-            picture_size=(width, height),
-            paint=scene.paint,
-        )
-        words = caption(scene) if self._look.caption else ""
-        is_svg = self._suffix == ".svg"
-        drawn = draw_overlay(
-            pixels, OverlayBuilder().build(shown), scale=scale, unit=unit, caption=words, svg=is_svg
-        )
+        drawn = self._drawn(scene, svg=self._suffix == ".svg")
         if isinstance(drawn, bytes):
             return drawn
         done, encoded = cv2.imencode(self._suffix, drawn[:, :, :3])
         if not done:
             raise SaveError(f"{scene.title}: the overlay cannot be encoded as {self._suffix}")
         return encoded.tobytes()
+
+    def pixels(self, scene: Scene) -> PixelArray:
+        drawn = self._drawn(scene, svg=False)
+        assert not isinstance(drawn, bytes)
+        return drawn
+
+    def _drawn(self, scene: Scene, *, svg: bool) -> PixelArray | bytes:
+        pixels = pixels_of(scene)
+        words = caption(scene) if self._look.caption else ""
+        return draw_overlay(
+            pixels, scene_content(scene, pixels), self._look, caption=words, svg=svg
+        )

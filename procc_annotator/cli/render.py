@@ -6,16 +6,36 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
+import numpy as np
 import typer
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.figures.top_view import TopViewPainter
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import list_names, pluralize
-from procc_annotator.report.overlay_scene import OverlayLook, Rendered, render_pictures
+from procc_annotator.report.overlay_scene import (
+    SUFFIXES,
+    VIDEO_SUFFIX,
+    OverlayLook,
+    OverlayPainter,
+    Rendered,
+    Rendering,
+    render_pictures,
+    render_video,
+)
 
 HELP = """\
+DATASET may be a video. OUT is a folder, or a video if it ends in .mp4; with --top-view also one
+picture (.png, .jpg, .svg): the median of the frames from above, without what moves.
+
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
 explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
 that are there already are replaced only with --overwrite, or after a run that was stopped.
@@ -29,6 +49,8 @@ Example:
 \b
   procc-annotator render match/ overlays/ --cameras predictions/ --threshold 5
   procc-annotator render match/ figures/ --format svg --scale 2 --legend
+  procc-annotator render match.mp4 overlay.mp4 --cameras tracked/
+  procc-annotator render match.mp4 field.png --cameras tracked/ --top-view
 """
 
 
@@ -40,7 +62,7 @@ class PictureFormat(StrEnum):
     svg = "svg"
 
 
-Out = Annotated[Path, typer.Argument(help="Folder of the overlay pictures.")]
+Out = Annotated[Path, typer.Argument(help="Folder of pictures, or a file.")]
 Threshold = Annotated[
     float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
 ]
@@ -60,6 +82,30 @@ PaintedWidth = Annotated[
 ]
 Legend = Annotated[
     bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
+]
+
+
+TopView = Annotated[
+    bool,
+    typer.Option("--top-view", help="Draw the pictures on the field, from above, 10 px per metre."),
+]
+Positions = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE",
+        show_default=False,
+        help="CSV of ground positions (as of ground) to draw on a top view.",
+    ),
+]
+Fps = Annotated[
+    float | None,
+    typer.Option(
+        min=0.1,
+        max=1000,
+        metavar="N",
+        show_default=False,
+        help="Frames per second of a video.  [default: the times of DATASET's video, else 25]",
+    ),
 ]
 
 
@@ -83,6 +129,9 @@ def render(
     painted_width: PaintedWidth = False,
     legend: Legend = False,
     overwrite: options.Overwrite = False,
+    top_view: TopView = False,
+    positions: Positions = None,
+    fps: Fps = None,
 ) -> None:
 
     look = OverlayLook(scale, legend)
@@ -91,7 +140,7 @@ def render(
     )
     (tau,) = options.thresholds_or_default([threshold])
     workspace = input_files.open_dataset(
-        dataset, setup.field, annotations, options.label_map(labels, setup.field)
+        dataset, setup.field, annotations, options.label_map(labels, setup.field), videos=True
     )
     camera_set = input_files.open_cameras(
         cameras, camera_format, options.shown_size(camera_size), setup.field
@@ -99,20 +148,66 @@ def render(
     outputs.check_folder_apart(
         out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
     )
-    suffix = f".{picture_format.value}"
-    names = (f"{frame.name}{suffix}" for frame in workspace.frames)
-    steps = render_pictures(
-        workspace, out, overlay_painter(suffix, look),
-        setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
-        painted_width=painted_width,
-    )  # fmt: skip
+    rendering = Rendering(workspace, setup, tau, camera_set, painted_width)
+    single = out.suffix.lower() if out.suffix.lower() in (*SUFFIXES, VIDEO_SUFFIX) else ""
+    suffix = single if single in SUFFIXES else f".{picture_format.value}"
+    if single in SUFFIXES and not top_view:
+        raise UsageError(f"{out}: one picture of all frames is a top view: add --top-view")
+    if positions is not None and not top_view:
+        raise UsageError("--positions are drawn from above: add --top-view")
+    painter: OverlayPainter = overlay_painter(suffix, look)
+    if top_view:
+        if camera_set is None:
+            raise UsageError("--top-view needs --cameras")
+        painter = TopViewPainter(suffix, scale, _positions(positions, workspace))
+    if single:
+        outputs.check_output_folder(out)
+        outputs.check_not_inputs([out], [dataset] if dataset.is_file() else [])
+        if out.exists() and not overwrite:
+            raise UsageError(f"{out}: exists already, choose another name, or --overwrite")
     rendered = Rendered(out)
-    with outputs.replacing_nothing(out, names, "render", overwrite=overwrite):
-        for done in with_progress(steps, len(workspace.frames), "drawing"):
+    count = len(workspace.frames)
+    if single == VIDEO_SUFFIX:
+        for done in with_progress(render_video(rendering, out, painter, fps), count, "drawing"):
             rendered = done
-    echo(f"{pluralize(len(rendered.pictures), 'overlay picture')} written to {out}")
+        echo(f"{pluralize(len(rendered.pictures), 'frame')} written to {out}")
+    elif single:
+        scenes = with_progress(rendering.scenes(rendered), count, "drawing")
+        assert isinstance(painter, TopViewPainter)
+        data = painter.panorama(scenes, count, rendered)
+        if data is None:
+            raise UsageError("nothing to do: no frame has a camera and a picture")
+        write_atomic(out, data)
+        echo(f"written: {out}")
+    else:
+        names = (f"{frame.name}{suffix}" for frame in workspace.frames)
+        with outputs.replacing_nothing(out, names, "render", overwrite=overwrite):
+            steps = render_pictures(rendering, out, painter, suffix)
+            for done in with_progress(steps, count, "drawing"):
+                rendered = done
+        echo(f"{pluralize(len(rendered.pictures), 'picture')} written to {out}")
     remarks.report_notices(rendered.notices)
     if rendered.bare:
         frames = list_names(rendered.bare, "frame")
         remarks.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
     raise typer.Exit(remarks.report_unreadable(rendered.problems))
+
+
+def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]:
+    """Frame name -> (N, 2) metres, of a table of ``ground``."""
+    if path is None:
+        return {}
+    names = FrameTable((frame.name, frame.name) for frame in workspace.frames)
+    found: dict[str, list[tuple[float, float]]] = {}
+    advice = "expected a table of ground: columns frame, x_m, y_m"
+    for line, row in read_table(path, ("frame", "x_m", "y_m"), advice)[1]:
+        name = names.get(row["frame"])
+        if name is None or not (row["x_m"] and row["y_m"]):
+            continue
+        try:
+            found.setdefault(name, []).append((float(row["x_m"]), float(row["y_m"])))
+        except ValueError as error:
+            raise InputError(path, str(error), place=f"line {line}", advice=advice) from error
+    if not found:
+        raise UsageError(f"{path}: no position is of a frame of {workspace.root}")
+    return {name: np.array(points) for name, points in found.items()}

@@ -23,7 +23,7 @@ from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
 from procc_annotator.cli.method_arguments import parse_sources
-from procc_annotator.cli.painters import overlay_painter, pair_painter
+from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.cli.remarks import report_mismatch, report_remarks, report_unreadable
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
@@ -31,6 +31,7 @@ from procc_annotator.dataset.layout import annotations_of, annotations_or_path
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.figures.disagreement import DisagreementPainter
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.formats.frame_names import FrameTable
@@ -326,7 +327,5 @@ def _painters(
     # Two pictures share the width of the page.
     look = OverlayLook(widest=picture_width, caption=False, emphasis=1.7)
     overlays = Painters(overlay_painter(".jpg", look), overlay_painter(".png", look))
-    pairs = None
-    if with_pairs and (photograph := pair_painter(".jpg")):
-        pairs = Painters(photograph, pair_painter(".png") or photograph)
-    return ReportPainters(overlays, pairs, SOURCE_COLOURS)
+    pairs = Painters(DisagreementPainter(".jpg"), DisagreementPainter(".png"))
+    return ReportPainters(overlays, pairs if with_pairs else None, SOURCE_COLOURS)

@@ -114,7 +114,7 @@ _MOST_GAPS = 0.1  # share of the pictures before which some are missing
 _MOST_STEP = 12  # of names that count by more than one: half a second
 _LOOKED_AT = 8  # pairs of neighbours
 _AT_LEAST_ALIKE = 0.5  # of them; the others may be cuts
-_FOLDER_FPS = 25.0
+FOLDER_FPS = 25.0
 _LOOKED_AT_PX = 320
 _NUMBERED = re.compile(r"(.*?)([0-9]+)")
 
@@ -226,7 +226,7 @@ def sequence_of(
         return None
     paths = {int(n): frame.image_path for n, frame in zip(numbers, frames, strict=True)}
     first, last = int(numbers[0]), int(numbers[-1])
-    return FrameSequence(numbers, first, last, _FOLDER_FPS / step, None, paths, step)
+    return FrameSequence(numbers, first, last, FOLDER_FPS / step, None, paths, step)
 
 
 def _of_video(frames: Sequence[Frame]) -> FrameSequence | None:

@@ -3,27 +3,32 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.sequence import FOLDER_FPS
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, InputError, UsageError
-from procc_annotator.formats.atomic import make_folder, write_atomic
+from procc_annotator.formats.atomic import make_folder, open_replacing, write_atomic
 from procc_annotator.formats.frame_names import file_of_frame
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.video import open_shared_video, video_frame_of_path
+from procc_annotator.image.video_writer import VideoWriter
 from procc_annotator.metrics.measurement import Measurement, measure
 from procc_annotator.metrics.projection import ProjectedField, project_markings
 from procc_annotator.metrics.score import FrameScore, display_score
 from procc_annotator.metrics.setup import EvaluationSetup
 
 SUFFIXES = (".png", ".jpg", ".svg")
+VIDEO_SUFFIX = ".mp4"
 MIN_SCALE, MAX_SCALE = 0.05, 16.0
 MOST_PIXELS = 100_000_000  # of a painted picture, 0.8 GB meanwhile; an SVG has none
 GROUND_BGRA = (60, 92, 58, 255)
@@ -49,10 +54,17 @@ class Scene:
     title: str = ""
     source: str = ""  # what the cameras that were scored are called
     paint: ProjectedField | None = None  # the borders of painted lines, where they are wanted
+    camera: CameraOrProjections | None = None  # px of the evaluation's size
 
 
-Paint = Callable[[Scene], bytes]
-"""Turns a scene into an encoded picture; raises ImageError for one that cannot be decoded."""
+class OverlayPainter(Protocol):
+    """Draws scenes."""
+
+    def __call__(self, scene: Scene) -> bytes:
+        """An encoded picture; raises ImageError for one that cannot be decoded."""
+
+    def pixels(self, scene: Scene) -> PixelArray:
+        """The same as (H, W, 4) BGRA, or (H, W, 3) BGR."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,78 +145,113 @@ class Rendered:
     bare: list[str] = field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class Rendering:
+    """A dataset, drawn frame by frame.
+
+    Attributes:
+        threshold: px, decides the colours.
+        painted_width: whether the borders of painted lines are drawn, too.
+    """
+
+    workspace: Workspace
+    setup: EvaluationSetup
+    threshold: float
+    cameras: CameraSet | None = None
+    painted_width: bool = False
+
+    def scenes(self, rendered: Rendered) -> Iterator[Scene]:
+        """The frames in order; what cannot be read, and what is bare, is added to ``rendered``."""
+        for index, frame in enumerate(self.workspace.frames):
+            scene = self.scene(index, rendered)
+            if scene.measurement is None and not scene.annotation.annotated:
+                rendered.bare.append(frame.name)
+            yield scene
+
+    def scene(self, index: int, rendered: Rendered) -> Scene:
+        """One frame; what cannot be read is added to ``rendered``."""
+        frame = self.workspace.frames[index]
+        annotation, measurement, paint, annotated = FrameAnnotation(), None, None, False
+        setup, loaded = self.setup.of_frame(frame.name), None
+        try:
+            annotation = self.workspace.read(index)
+            has_file = self.workspace.has_file(index)
+            annotated = bool(annotation.polylines or annotation.extra) or has_file
+            if self.cameras is not None:
+                loaded = self.cameras.camera(frame.name, setup.size)
+            if loaded is not None:
+                measurement = measure(annotation, loaded.camera, setup)
+                paint = project_markings(loaded.camera, setup) if self.painted_width else None
+                rendered.notices.update([loaded.notice] if loaded.notice else [])
+        except InputError as error:  # the picture is drawn all the same, with what could be read
+            rendered.problems.append(str(error))
+        judged = None
+        if measurement is not None and annotated:  # else it belongs to no figure
+            judged = display_score(measurement, self.threshold)
+        source = "" if self.cameras is None else self.cameras.name
+        return Scene(
+            frame.image_path, annotation, setup, measurement, judged, frame.name, source,
+            paint, None if loaded is None else loaded.camera,
+        )  # fmt: skip
+
+
 def render_pictures(
-    workspace: Workspace,
-    out: Path,
-    paint: Paint,
-    *,
-    setup: EvaluationSetup,
-    threshold: float,
-    cameras: CameraSet | None = None,
-    suffix: str = ".png",
-    painted_width: bool = False,
+    rendering: Rendering, out: Path, paint: OverlayPainter, suffix: str = ".png"
 ) -> Iterator[Rendered]:
-    """Write one overlay picture a frame, yielding what is done so far after each.
+    """Write one picture per frame, yielding what is done so far after each.
 
     Args:
         out: folder of the pictures, made if needed.
-        threshold: px, decides the colours.
         suffix: the encoding that ``paint`` produces.
-        painted_width: whether the borders of painted lines are drawn, too.
 
     Raises:
         SaveError: a picture cannot be written.
         UsageError: the pictures would replace those of the dataset.
     """
-    if any(folder.resolve() == out.resolve() for folder in workspace.own_folders):
+    if any(folder.resolve() == out.resolve() for folder in rendering.workspace.own_folders):
         raise UsageError(f"{out}: this is the dataset itself, choose another folder")
     make_folder(out)
     rendered = Rendered(out)
-    for index, frame in enumerate(workspace.frames):
-        scene = _scene(
-            workspace, index, frame, setup, threshold, cameras, rendered, painted=painted_width
-        )
-        if scene.measurement is None and not scene.annotation.annotated:
-            rendered.bare.append(frame.name)
+    for scene in rendering.scenes(rendered):
         try:
             data = paint(scene)
         except ImageError as error:
             rendered.problems.append(str(error))
         else:
-            target = out / file_of_frame(frame.name, suffix)
+            target = out / file_of_frame(scene.title, suffix)
             make_folder(target.parent)
             write_atomic(target, data)
             rendered.pictures.append(target)
         yield rendered
 
 
-def _scene(
-    workspace: Workspace,
-    index: int,
-    frame: Frame,
-    setup: EvaluationSetup,
-    threshold: float,
-    cameras: CameraSet | None,
-    rendered: Rendered,
-    *,
-    painted: bool,
-) -> Scene:
-    annotation, measurement, paint, annotated = FrameAnnotation(), None, None, False
-    setup = setup.of_frame(frame.name)
-    try:
-        annotation = workspace.read(index)
-        annotated = bool(annotation.polylines or annotation.extra) or workspace.has_file(index)
-        loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
-        if loaded is not None:
-            measurement = measure(annotation, loaded.camera, setup)
-            paint = project_markings(loaded.camera, setup) if painted else None
-            rendered.notices.update([loaded.notice] if loaded.notice else [])
-    except InputError as error:  # the picture is drawn all the same, with what could be read
-        rendered.problems.append(str(error))
-    judged = None
-    if measurement is not None and annotated:  # else it belongs to no figure
-        judged = display_score(measurement, threshold)
-    source = "" if cameras is None else cameras.name
-    return Scene(
-        frame.image_path, annotation, setup, measurement, judged, frame.name, source, paint
-    )
+def render_video(
+    rendering: Rendering, out: Path, painter: OverlayPainter, fps: float | None = None
+) -> Iterator[Rendered]:
+    """Write one H.264 video (.mp4) of all frames, yielding what is done so far after each.
+
+    Args:
+        out: the file; replaced when it is complete.
+        fps: frames per second; None: the times of a video's own frames, and 25 of a folder's.
+
+    Raises:
+        SaveError: it cannot be written, or the pictures have several sizes.
+    """
+    frames = rendering.workspace.frames
+    source = video_frame_of_path(frames[0].image_path)
+    video = None if source is None else open_shared_video(source[0])
+    rate = fps or (FOLDER_FPS if video is None else video.fps)
+    times = np.arange(len(frames)) / rate if fps or video is None else video.times_s
+    rendered = Rendered(out)
+    with open_replacing(out) as stream:
+        writer = VideoWriter(stream, out, rate)
+        for scene, time_s in zip(rendering.scenes(rendered), times, strict=True):
+            try:
+                pixels = painter.pixels(scene)
+            except ImageError as error:  # the picture before it stays
+                rendered.problems.append(str(error))
+            else:
+                writer.write(pixels, float(time_s))
+                rendered.pictures.append(out)
+            yield rendered
+        writer.close()

@@ -158,6 +158,14 @@ def test_pictures_of_the_worst_frames(cli, dataset, other, tmp_path):
     assert (np.abs(picture[:, 960:] - expected).max(axis=2) <= 3).sum() > 2000
 
 
+def test_pictures_as_vectors(cli, dataset, other, tmp_path):
+    out, kind = tmp_path / "pictures", ("--format", "pdf", "-n", 1)
+    cli("compare", dataset.cameras, other, dataset.root, "--pictures", out, *kind)
+    (picture,) = out.iterdir()
+    assert picture.suffix == ".pdf"
+    assert picture.read_bytes().startswith(b"%PDF")
+
+
 def test_frames_without_a_picture_are_drawn_on_grey(cli, dataset, other, tmp_path):
     out = tmp_path / "pictures"
     cli("compare", dataset.cameras, other, dataset.annotations, "--pictures", out, "-n", 0)

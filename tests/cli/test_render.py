@@ -4,15 +4,17 @@ import json
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import av
 import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.load import load_field
 from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.report.overlay_scene import Scene, caption, render_pictures
+from procc_annotator.report.overlay_scene import Rendered, Rendering, caption
 
 PASS = (0x00, 0x9E, 0x73)
 TOO_FAR = (0xD5, 0x5E, 0x00)
@@ -32,7 +34,7 @@ def test_colours_say_which_camera_agrees(cli, dataset, tmp_path):
     dataset.write_camera("3", bad | {"pan_degrees": 1.0})
     out = tmp_path / "out"
     done = cli("render", dataset.root, out, "--cameras", dataset.cameras)
-    assert "5 overlay pictures" in done.stdout
+    assert "5 pictures" in done.stdout
     assert sorted(p.name for p in out.iterdir()) == ["1.png", "10.png", "11.png", "2.png", "3.png"]
     assert cv2.imread(str(out / "1.png")).shape == (540, 960, 3)
     assert pixels_of(out / "1.png", PASS) > 300
@@ -87,7 +89,7 @@ def test_a_scale_that_is_none(cli, dataset, tmp_path):
 def test_a_damaged_picture_is_listed(cli, dataset, tmp_path):
     (dataset.root / "2.jpg").write_bytes(b"not a picture")
     done = cli("render", dataset.root, tmp_path / "out", code=1)
-    assert "4 overlay pictures" in done.stdout
+    assert "4 pictures" in done.stdout
     assert "2.jpg" in done.stderr
 
 
@@ -129,20 +131,82 @@ def test_frames_nobody_annotated_have_no_score(dataset, tmp_path):
     field = load_field("soccer")
     said: dict[str, str] = {}
 
-    def paint(scene: Scene) -> bytes:
+    cameras = CameraSet.open(dataset.cameras)
+    rendering = Rendering(Workspace.open(dataset.root, field), EvaluationSetup(field), 5.0, cameras)
+    for scene in rendering.scenes(Rendered(tmp_path)):
         said[scene.title] = caption(scene)
         assert scene.measurement is not None  # its camera is drawn all the same
-        return b""
-
-    pictures = render_pictures(
-        Workspace.open(dataset.root, field),
-        tmp_path / "out",
-        paint,
-        setup=EvaluationSetup(field),
-        threshold=5.0,
-        cameras=CameraSet.open(dataset.cameras),
-    )
-    assert sum(1 for _ in pictures) == 5
     assert said["1"] == ""
     assert "JaC@5 0.000" in said["2"]
     assert "JaC@5 1.000" in said["3"]
+
+
+def frames_of(video: Path) -> list[np.ndarray]:
+    with av.open(str(video)) as container:
+        return [frame.to_ndarray(format="bgr24") for frame in container.decode(video=0)]
+
+
+def test_a_video_of_the_overlays_and_one_of_a_video(cli, dataset, tmp_path):
+    out = tmp_path / "overlay.mp4"
+    done = cli("render", dataset.root, out, "--cameras", dataset.cameras, "--fps", 10)
+    assert "5 frames written" in done.stdout
+    frames = frames_of(out)
+    assert [frame.shape for frame in frames] == [(540, 960, 3)] * 5
+    greenish = np.abs(frames[0][..., ::-1].astype(int) - PASS).max(axis=2) < 60
+    assert greenish.sum() > 300
+    again = cli("render", dataset.root, out, "--cameras", dataset.cameras, code=2)
+    assert "exists already" in again.stderr
+    shown = json.loads((dataset.cameras / "camera_3.json").read_text())
+    dataset.write_camera("overlay_000003", shown)  # a frame of the video
+    cli("render", out, tmp_path / "twice.mp4", "--cameras", dataset.cameras)
+    with av.open(str(tmp_path / "twice.mp4")) as container:
+        assert container.streams.video[0].average_rate == 10
+        assert len(list(container.decode(video=0))) == 5
+
+
+def test_a_top_view_has_the_field_where_it_is(cli, dataset, tmp_path):
+    """A picture that is white where the camera shows x > 0 is white there from above."""
+    camera = CameraSet.open(dataset.cameras).camera("3", (960, 540))
+    assert camera is not None
+    u, v = np.meshgrid(np.arange(960.0), np.arange(540.0))
+    ground = ground_from_px(camera.camera, np.column_stack((u.ravel(), v.ravel())))
+    white = np.nan_to_num(ground[:, 0]).reshape(540, 960) > 0
+    for name in ("1", "2", "10", "11"):
+        (dataset.root / f"{name}.jpg").unlink()
+    cv2.imwrite(str(dataset.root / "3.jpg"), np.where(white, 255, 60).astype(np.uint8))
+    positions = tmp_path / "positions.csv"
+    positions.write_text("frame,x_m,y_m\n3,-10,20\n3,,\n")
+    out, table = tmp_path / "field.png", ("--positions", positions)
+    cli("render", dataset.root, out, "--cameras", dataset.cameras, "--top-view", *table)
+    drawn = cv2.imread(str(out)).astype(int)
+    assert drawn.shape == (780, 1150, 3)
+    row = drawn[500, :, 0]  # y = 11 m; the field starts 5 m from the edge, 10 px per metre
+    assert row[580:620].min() > 240
+    assert row[480:560].max() < 80
+    orange = (np.abs(drawn[..., ::-1] - (0xE6, 0x9F, 0x00)).max(axis=2) < 30).nonzero()
+    assert np.median(orange[1]) == pytest.approx((-10 + 57.5) * 10, abs=1)
+    assert np.median(orange[0]) == pytest.approx((20 + 39) * 10, abs=1)
+    refused = cli("render", dataset.root, tmp_path / "a.png", code=2)
+    assert "--top-view" in refused.stderr
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
+def test_a_figure_of_frames_and_methods(cli, dataset, tmp_path, suffix):
+    bad = tmp_path / "bad"
+    bad.mkdir()
+    camera = json.loads((dataset.cameras / "camera_3.json").read_text())
+    (bad / "camera_3.json").write_text(json.dumps(camera | {"pan_degrees": 1.0}))
+    out = tmp_path / f"figure{suffix}"
+    methods = ("--cameras", f"good={dataset.cameras}", "--cameras", f"bad={bad}")
+    done = cli("figure", dataset.root, out, *methods, "--frame", "3", "--frame", "1")
+    assert "frames 3, 1" in done.stdout
+    data = out.read_bytes()
+    if suffix == ".svg":
+        root = ElementTree.fromstring(data)
+        texts = ["".join(t.itertext()) for t in root.iter("{http://www.w3.org/2000/svg}text")]
+        assert {"good", "bad", "3", "1", "JaC@5 100.0 %", "no camera"} <= set(texts)
+        assert any(text.startswith("passes:") for text in texts)
+    else:
+        assert data.startswith({".pdf": b"%PDF", ".png": b"\x89PNG"}[suffix])
+    none = cli("figure", dataset.root, tmp_path / "x.png", *methods, "--frame", "7", code=2)
+    assert "has no frame '7'" in none.stderr

@@ -117,6 +117,7 @@ def test_every_command_does_its_work(dataset, sample_data, tmp_path):
         ["propose-map", tmp_path / "named.xml"],
         ["release", root, tmp_path / "released"],
         ["render", one, tmp_path / "drawn", "--cameras", tree],
+        ["figure", one, tmp_path / "figure.svg", "--cameras", tree],
         ["check-submission", tmp_path / "sub.zip"],
         ["desktop-entry", "--install"],
         ["field", "list"],

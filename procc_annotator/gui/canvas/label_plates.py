@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.overlay_figure import place_apart
+from procc_annotator.interaction.label_placement import place_apart
 from procc_annotator.interaction.overlay_primitives import Box, CursorSigns, Labels
 
 # Of the height of the text.

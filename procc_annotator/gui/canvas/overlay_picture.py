@@ -14,10 +14,11 @@ from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import SaveError
+from procc_annotator.figures.overlay import resized, scene_content
 from procc_annotator.gui.canvas.overlay_painter import paint_overlay, paint_samples
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.legend import LegendEntry, legend_of
-from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay import OverlayBuilder
 from procc_annotator.report.overlay_scene import (
     GROUND_BGRA,
     OverlayLook,
@@ -168,7 +169,18 @@ class OverlayPictures:
         """
         with in_english():
             drawing = _Drawing(scene, self._look)
-            return drawing.svg() if self._suffix == ".svg" else drawing.raster(self._suffix)
+            if self._suffix == ".svg":
+                return drawing.svg()
+            options = _JPEG if self._suffix == ".jpg" else ()
+            done, encoded = cv2.imencode(self._suffix, drawing.pixels(), options)
+        if not done:
+            raise SaveError(f"{scene.title}: the overlay cannot be encoded as {self._suffix}")
+        return encoded.tobytes()
+
+    def pixels(self, scene: Scene) -> PixelArray:
+        """The picture as (H, W, 3) BGR; errors as of a call."""
+        with in_english():
+            return _Drawing(scene, self._look).pixels()
 
 
 class _Drawing:
@@ -181,16 +193,7 @@ class _Drawing:
         height, width = self._pixels.shape[:2]
         self._scale, self._unit = look.scale_and_unit(width)
         self._size = max(1, round(width * self._scale)), max(1, round(height * self._scale))
-        shown = OverlayContent(
-            annotation=scene.annotation,
-            size=scene.setup.size,
-            field=scene.setup.field,
-            measurement=scene.measurement,
-            score=scene.score,
-            picture_size=(width, height),
-            paint=scene.paint,
-        )
-        self._overlay = OverlayBuilder().build(shown)
+        self._overlay = OverlayBuilder().build(scene_content(scene, self._pixels))
         self._band = None
         if look.legend:
             setup = scene.setup
@@ -211,22 +214,18 @@ class _Drawing:
         below = 0 if self._band is None else self._band.height
         return self._size[0], self._size[1] + below
 
-    def raster(self, suffix: str) -> bytes:
-        """The picture as PNG or JPEG."""
+    def pixels(self) -> PixelArray:
+        """(H, W, 3) BGR."""
         width, height = self._whole
         check_pixels(width, height)
         canvas = np.zeros((height, width, 4), dtype=np.uint8)
-        canvas[: self._size[1]] = self._resized()
+        canvas[: self._size[1]] = resized(self._pixels, self._scale)
         # Painting goes straight into the array, whose memory the image shares.
         image = QImage(canvas.data, width, height, canvas.strides[0], QImage.Format.Format_RGB32)
         painter = QPainter(image)
         self._paint(painter)
         painter.end()
-        options = _JPEG if suffix == ".jpg" else ()
-        done, encoded = cv2.imencode(suffix, canvas[:, :, :3], options)
-        if not done:
-            raise SaveError(f"{self._scene.title}: the overlay cannot be encoded as {suffix}")
-        return encoded.tobytes()
+        return canvas[:, :, :3]
 
     def svg(self) -> bytes:
         """The picture as SVG: the pixels as they are, everything else as lines and text."""
@@ -265,12 +264,6 @@ class _Drawing:
             f'<image width="{width}" height="{height}" preserveAspectRatio="none"'
             f' xlink:href="data:image/{kind};base64,{data}"/>'
         )
-
-    def _resized(self) -> PixelArray:
-        if self._size == (self._pixels.shape[1], self._pixels.shape[0]):
-            return self._pixels
-        method = cv2.INTER_AREA if self._scale < 1 else cv2.INTER_CUBIC
-        return np.asarray(cv2.resize(self._pixels, self._size, interpolation=method), np.uint8)
 
     def _paint(self, painter: QPainter) -> None:
         width, height = self._size

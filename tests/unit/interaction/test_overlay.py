@@ -16,6 +16,7 @@ from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.dataset.review import StoredFinding, store_check
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.label_placement import place_apart
 from procc_annotator.interaction.overlay import (
     GestureContent,
     LastCallCache,
@@ -23,7 +24,6 @@ from procc_annotator.interaction.overlay import (
     OverlayContent,
     gesture_overlay,
 )
-from procc_annotator.interaction.overlay_figure import place_apart
 from procc_annotator.interaction.overlay_lines import build_wireframes
 from procc_annotator.interaction.overlay_predictions import (
     build_ghosts,

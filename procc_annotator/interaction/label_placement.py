@@ -1,0 +1,44 @@
+"""Placement of labels without overlap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from procc_annotator.interaction.overlay_primitives import Box
+
+_STEPS = 8  # heights of a text that it may be moved up or down
+
+
+def place_apart(box: Box, taken: Sequence[Box], room: Box) -> Box:
+    """The place nearest to where a text would go that no other text covers, and that is in sight.
+
+    Args:
+        box: where it would go: left, top, right, bottom.
+        taken: texts that are there.
+        room: what can be seen.
+
+    Returns:
+        A place of the same size; ``box`` itself where there is no better one.
+    """
+    return next((b for b in _around(box) if _within(b, room) and not _covers(b, taken)), box)
+
+
+def _around(box: Box) -> Iterator[Box]:
+    left, top, right, bottom = box
+    wide, high = right - left, bottom - top
+    for aside in (0.0, wide, -wide):
+        for step in range(_STEPS + 1):
+            for sign in (-1, 1) if step else (1,):
+                x, y = left + aside, top + sign * step * high
+                yield x, y, x + wide, y + high
+
+
+def _within(box: Box, room: Box) -> bool:
+    return box[0] >= room[0] and box[1] >= room[1] and box[2] <= room[2] and box[3] <= room[3]
+
+
+def _covers(box: Box, taken: Sequence[Box]) -> bool:
+    return any(
+        box[0] < other[2] and box[2] > other[0] and box[1] < other[3] and box[3] > other[1]
+        for other in taken
+    )
