@@ -376,6 +376,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "The field map has the side below that the camera stands on, and what the camera does not"
           " see is faint; the half that is out of sight leaves its room to the other one",
           checkable=True, remembered=True, checked=True),
+    _spec("View", "top_view", "Picture on the field map", "", "services.top_view.set_enabled",
+          "Show the picture on the field map, as seen from above: lines that bend or miss the map's"
+          " show where a camera is wrong", checkable=True, remembered=True),
     _spec("View", "strip", "Strip of frames", "", "strip.set_wanted",
           "Below the picture of a video or of consecutive frames: how good their cameras are and"
           " where they are annotated",

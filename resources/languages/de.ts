@@ -8726,6 +8726,16 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Auf der Feldkarte liegt die Seite unten, auf der die Kamera steht, und was sie nicht sieht, ist blass; die Hälfte außer Sicht überlässt ihren Platz der anderen</translation>
   </message>
   <message>
+   <source>Picture on the field map</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>Bild auf der Feldkarte</translation>
+  </message>
+  <message>
+   <source>Show the picture on the field map, as seen from above: lines that bend or miss the map's show where a camera is wrong</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>Das Bild von oben gesehen auf der Feldkarte zeigen: Linien, die sich biegen oder die der Karte verfehlen, zeigen, wo eine Kamera falsch ist</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Bilderstreifen</translation>

@@ -8726,6 +8726,16 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>El mapa tiene abajo el lado en que está la cámara, y lo que esta no ve es tenue; la mitad fuera de vista deja su sitio a la otra</translation>
   </message>
   <message>
+   <source>Picture on the field map</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>Imagen en el mapa del campo</translation>
+  </message>
+  <message>
+   <source>Show the picture on the field map, as seen from above: lines that bend or miss the map's show where a camera is wrong</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>Mostrar la imagen vista desde arriba en el mapa del campo: las líneas que se curvan o no coinciden con las del mapa muestran dónde falla una cámara</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Tira de imágenes</translation>

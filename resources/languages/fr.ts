@@ -8726,6 +8726,16 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Le plan a en bas le côté où se tient la caméra, et ce qu’elle ne voit pas est pâle ; la moitié hors de vue laisse sa place à l’autre</translation>
   </message>
   <message>
+   <source>Picture on the field map</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>Image sur la carte du terrain</translation>
+  </message>
+  <message>
+   <source>Show the picture on the field map, as seen from above: lines that bend or miss the map's show where a camera is wrong</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>Afficher l'image vue de dessus sur la carte du terrain : les lignes courbées ou décalées par rapport à celles de la carte montrent où une caméra est fausse</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Bande d’images</translation>

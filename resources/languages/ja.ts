@@ -8615,6 +8615,16 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>フィールド図の下側がカメラのある側になり、見えない部分は淡くなります。見えない半分は場所をもう半分に譲ります</translation>
   </message>
   <message>
+   <source>Picture on the field map</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>フィールドマップに画像を表示</translation>
+  </message>
+  <message>
+   <source>Show the picture on the field map, as seen from above: lines that bend or miss the map's show where a camera is wrong</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>上から見た画像をフィールドマップに表示します。曲がった線やマップの線からずれた線は、カメラの誤りを示します</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>フレームの帯</translation>

@@ -8615,6 +8615,16 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>场地图下方为相机所在一侧，相机看不到的部分变淡；看不见的半场将空间让给另一半</translation>
   </message>
   <message>
+   <source>Picture on the field map</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>在场地图上显示图片</translation>
+  </message>
+  <message>
+   <source>Show the picture on the field map, as seen from above: lines that bend or miss the map's show where a camera is wrong</source>
+   <extracomment>[the action top_view, the setting top_view]</extracomment>
+   <translation>在场地图上显示俯视图片：弯曲或偏离地图的线条表明相机有误之处</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>帧条</translation>

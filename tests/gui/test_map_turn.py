@@ -14,6 +14,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.maps import VisibleFieldRegion
+from procc_annotator.image.top_view import GroundRaster, picture_on_ground
 from procc_annotator.interaction.camera_view import visible_field
 
 SIZE = (960, 540)
@@ -146,3 +147,30 @@ def test_the_half_in_sight_takes_the_room(judged, qtbot):
     judged.actions_["turn_map"].trigger()
     assert metre() != large
     assert services.visible_region.shown is None
+
+
+def test_the_picture_lies_on_the_map(judged, qtbot):
+    """It is where the camera shows the ground; blind mode shows nothing of it."""
+    services, field_map = judged.services, judged.field_map
+    judged.actions_["top_view"].trigger()
+    qtbot.waitUntil(lambda: services.top_view.value is not None)
+    above = services.top_view.value
+    white = np.full((540, 960, 4), 255, np.uint8)
+    shown = services.visible_region.camera_on_screen()
+    assert shown is not None
+    field, camera, size = shown
+    raster = GroundRaster.of(field, 8.0)
+    _, seen = picture_on_ground(white, camera, size, raster)
+    assert (above.image.width(), above.image.height()) == raster.size
+    x, y = above.metres_from_px.map(above.image.width() / 2, above.image.height() / 2)
+    assert (x, y) == pytest.approx((0, 0), abs=0.1)
+    rows, columns = np.nonzero(seen)
+    inside = int(len(rows) / 2)
+    place = above.metres_from_px.map(float(columns[inside]), float(rows[inside]))
+    with_picture = field_map.grab().toImage().pixelColor(field_map.to_widget(*place).toPoint())
+    judged.actions_["top_view"].trigger()
+    plain = field_map.grab().toImage().pixelColor(field_map.to_widget(*place).toPoint())
+    assert with_picture != plain
+    judged.actions_["top_view"].trigger()
+    judged.actions_["blind"].trigger()
+    assert services.top_view.value is None

@@ -38,6 +38,7 @@ KEPT = {
     "pinned",
     "auto_advance",
     "turn_map",
+    "top_view",
     "legend",
     "language",
     "two_clicks",

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QPainterPath, QPolygonF
+from PySide6.QtGui import QImage, QPainterPath, QPolygonF, QTransform
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.prediction.uncertainty import (
@@ -30,6 +30,8 @@ from procc_annotator.gui.state.prediction.camera_choice import PredictionSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrames
 from procc_annotator.gui.state.store import Store, When
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.top_view import GroundRaster, picture_on_ground
 from procc_annotator.interaction.camera_view import (
     DISAGREEMENT,
     UNCERTAINTY,
@@ -278,8 +280,13 @@ class VisibleFieldRegion(QObject):
         return self.wanted and self._store.state.projection_visible
 
     def _made_of(self) -> Inputs | None:
+        return self.camera_on_screen() if self._allowed else None
+
+    def camera_on_screen(self) -> tuple[Field, Camera, tuple[int, int]] | None:
+        """The field, the camera that the map follows, and the size in px that it is for; None
+        where there is none, or it may not be shown."""
         state = self._store.state
-        if not self._allowed or state.frame is None:
+        if state.frame is None or not state.projection_visible:
             return None
         insight = self._prediction.insight
         if insight is not None and insight.fit.camera is not None:
@@ -315,6 +322,17 @@ def _look_at(*inputs: object) -> VisibleField | None:
         return visible_field(*inputs)  # type: ignore[arg-type]
     except UsageError:  # a field that hangs in the air has no ground to turn
         return None
+
+
+@dataclass(frozen=True, eq=False)
+class TopViewImage:
+    """A picture as seen from above, and the transform from its px to metres on the ground."""
+
+    image: QImage
+    metres_from_px: QTransform
+
+
+_TOP_VIEW_PX_PER_M = 8.0  # a field map on a large screen
 
 
 @dataclass(frozen=True, eq=False)
@@ -426,3 +444,28 @@ class LineWidths(ComputedValue[ProjectedField]):
 
     def _say(self, text: str) -> None:
         say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")
+
+
+class TopView(ComputedValue[TopViewImage]):
+    """The picture on screen as seen from above, once a person wants to see it."""
+
+    def __init__(self, store: Store, region: VisibleFieldRegion, prediction: PredictionSource):
+        super().__init__(self._made_of, _seen_from_above, store, enabled=False)
+        self._store, self._region = store, region
+        store.keep_current(self, region.changed, prediction.changed)
+
+    def _made_of(self) -> Inputs | None:
+        shown, picture = self._region.camera_on_screen(), self._store.state.picture
+        return None if shown is None or picture is None else (picture, *shown)
+
+
+def _seen_from_above(
+    picture: PixelArray, field: Field, camera: Camera, size: tuple[int, int]
+) -> TopViewImage:
+    raster = GroundRaster.of(field, _TOP_VIEW_PX_PER_M)
+    pixels, seen = picture_on_ground(picture, camera, size, raster)
+    shown = np.dstack((pixels, np.where(seen, np.uint8(255), np.uint8(0))))
+    (width, height), scale = raster.size, 1 / raster.px_per_m
+    # A copy: the image must own its memory.
+    image = QImage(shown.data, width, height, 4 * width, QImage.Format.Format_ARGB32).copy()
+    return TopViewImage(image, QTransform(scale, 0, 0, scale, raster.left, raster.top))

@@ -16,6 +16,7 @@ from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.maps import (
     DisagreementMap,
     LineWidths,
+    TopView,
     UncertaintyMap,
     VisibleFieldRegion,
 )
@@ -118,6 +119,7 @@ class Services(QObject):
         )
         self.ghosts = Ghosts(store, self.prediction, self.review)
         self.visible_region = VisibleFieldRegion(store, self.prediction, self.scorer)
+        self.top_view = TopView(store, self.visible_region, self.prediction)
         self.line_pixels = LinePixels(store)
         self.label_check = LabelCheck(
             store, self.review, self.live_fit, self.scorer, self.line_pixels

@@ -40,6 +40,7 @@ from procc_annotator.gui.panels.field_map.painting import (
     paint_ground,
     paint_metres,
     paint_spot,
+    paint_top_view,
     part_to_show,
 )
 from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
@@ -103,6 +104,7 @@ class FieldMapPanel(Panel):
             services.disagreement.changed,
             services.uncertainty.changed,
             services.visible_region.changed,
+            services.top_view.changed,
         )
         services.store.watch(lambda s: s.field, self._take_field)
         services.field_choice.preparing.append(FieldShape.of)
@@ -265,6 +267,8 @@ class FieldMapPanel(Panel):
             painter.setClipRect(self._room().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN - 2))
             placed = self._placement()
             paint_ground(painter, placed, self._services.visible_region.shown, self.palette())
+            if (above := self._services.top_view.value) is not None:
+                paint_top_view(painter, placed, above)
             self._paint_metres(painter, placed)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 painter.setOpacity(_FAINT if self._out_of_sight(self._shape.names[index]) else 1.0)

@@ -13,7 +13,7 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.canvas.map_painting import paint_shapes
 from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
-from procc_annotator.gui.state.maps import MapShapes, VisibleFieldRegion
+from procc_annotator.gui.state.maps import MapShapes, TopViewImage, VisibleFieldRegion
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import VisibleField
@@ -170,6 +170,7 @@ def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str
     return best
 
 
+_INTERSECT = Qt.ClipOperation.IntersectClip
 _RIM = 4.0  # widget points of grass around the lines
 _ACROSS = 0.08  # of the map's length that is shown of the half that is out of sight
 _WORTH_IT = 1.2  # so many times as large
@@ -222,15 +223,25 @@ def paint_ground(
         for outline in outlines:
             path.addPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]))
     painter.save()
-    painter.setClipRect(around, Qt.ClipOperation.IntersectClip)
+    painter.setClipRect(around, _INTERSECT)
     painter.fillPath(placed.transform.map(path), ground_colour(palette, 2.0))
+    painter.restore()
+
+
+def paint_top_view(painter: QPainter, placed: Placement, above: TopViewImage) -> None:
+    """The picture as seen from above, as far as the field reaches."""
+    painter.save()
+    painter.setClipRect(placed.ground.adjusted(-_RIM, -_RIM, _RIM, _RIM), _INTERSECT)
+    painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+    painter.setTransform(above.metres_from_px * placed.transform, True)
+    painter.drawImage(0, 0, above.image)
     painter.restore()
 
 
 def paint_metres(painter: QPainter, placed: Placement, shapes: MapShapes) -> None:
     """Bands of a map in metres, as far as the field reaches."""
     painter.save()
-    painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
+    painter.setClipRect(placed.ground, _INTERSECT)
     paint_shapes(painter, shapes, placed.transform, unit=0.75)
     painter.restore()
 
