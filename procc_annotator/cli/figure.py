@@ -83,7 +83,7 @@ def figure(
     )
     (tau,) = options.thresholds_or_default([threshold])
     workspace = input_files.open_dataset(
-        dataset, setup.field, annotations, options.label_map(labels, setup.field), videos=True
+        dataset, setup.field, annotations, options.label_map(labels, setup.field), drawn=True
     )
     methods = [
         CameraSet.open(

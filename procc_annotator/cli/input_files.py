@@ -23,6 +23,7 @@ from procc_annotator.dataset.diagnostics import (
     found_instead_of_cameras,
     found_instead_of_pictures,
 )
+from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import (
     annotations_of,
     has_pictures,
@@ -39,6 +40,7 @@ from procc_annotator.dataset.workspace import (
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
+from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
@@ -66,7 +68,7 @@ def open_dataset(
     annotations: Path | None = None,
     names: LabelMap | None = None,
     *,
-    videos: bool = False,
+    drawn: bool = False,
 ) -> Workspace:
     """The dataset, to be read: its annotations may be of any format. It has a picture.
 
@@ -74,7 +76,8 @@ def open_dataset(
         path, field: of the dataset.
         annotations: where they are, if elsewhere.
         names: what their labels stand for; None: as the dataset's own map says, if it has one.
-        videos: whether a video is a dataset of all its frames.
+        drawn: whether a video is a dataset of all its frames, and annotations without pictures one
+            on plain ground.
 
     Raises:
         UsageError: no such folder, or no picture in it.
@@ -83,7 +86,7 @@ def open_dataset(
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    if videos and path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
+    if drawn and path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
         video = open_pictures(path, annotations)
         workspace = Workspace(path, video.frames, field, video.notices, video.folder)
         workspace.given = FrameAnnotations()  # of the folder of its frames
@@ -91,6 +94,14 @@ def open_dataset(
             workspace.given = video.annotated(annotations, field, names)
         report_remarks((*workspace.notices, *video.problems, *workspace.given.notices))
         return workspace
+    if drawn and annotations is None and not _is_pictured(path):
+        source = open_annotations(annotations_of(path), field, names)  # stays open
+        frames = tuple(Frame(name, "", path, path) for name in list_annotations(source))
+        if frames:
+            report_mismatch(source, field)
+            workspace = Workspace(path, frames, field, ())
+            workspace.given = FrameAnnotations(source)
+            return workspace
     held = "" if path.is_dir() else found_instead_of_pictures(path)
     if held:
         raise UsageError(f"nothing to do: there is no picture in {path}{held}")
@@ -106,6 +117,14 @@ def open_dataset(
 def _classes_of(workspace: Workspace) -> frozenset[str]:
     readers = [partial(workspace.read, index) for index in range(len(workspace.frames))]
     return classes_in(readers[:: max(1, len(readers) // MOST_FRAMES)])
+
+
+def _is_pictured(path: Path) -> bool:
+    if path.is_file():
+        return path.suffix.lower() in PICTURE_SUFFIXES
+    return path.is_dir() and bool(
+        pictures_in(path) or (has_pictures_below(path) and has_pictures(path))
+    )
 
 
 @contextmanager
@@ -126,12 +145,7 @@ def annotated_frames(
         UsageError: no such folder, or nothing annotated in it.
         InputError: annotations that cannot be opened or listed, or the map cannot be used.
     """
-    if path.is_file() and path.suffix.lower() in PICTURE_SUFFIXES:
-        pictured = True
-    else:
-        pictured = path.is_dir() and bool(
-            pictures_in(path) or (has_pictures_below(path) and has_pictures(path))
-        )
+    pictured = _is_pictured(path)
     names = own_label_map(path, field) if labels is None else read_label_map(labels, field)
     if (pictured and names is None) or not path.exists():
         yield dataset_frames(open_dataset(path, field, annotations)), None

@@ -140,7 +140,7 @@ def render(
     )
     (tau,) = options.thresholds_or_default([threshold])
     workspace = input_files.open_dataset(
-        dataset, setup.field, annotations, options.label_map(labels, setup.field), videos=True
+        dataset, setup.field, annotations, options.label_map(labels, setup.field), drawn=True
     )
     camera_set = input_files.open_cameras(
         cameras, camera_format, options.shown_size(camera_size), setup.field

@@ -189,9 +189,10 @@ class Rendering:
         if measurement is not None and annotated:  # else it belongs to no figure
             judged = display_score(measurement, self.threshold)
         source = "" if self.cameras is None else self.cameras.name
+        picture = frame.image_path if frame.image_file else None
         return Scene(
-            frame.image_path, annotation, setup, measurement, judged, frame.name, source,
-            paint, None if loaded is None else loaded.camera,
+            picture, annotation, setup, measurement, judged, frame.name, source, paint,
+            None if loaded is None else loaded.camera,
         )  # fmt: skip
 
 
