@@ -22,6 +22,7 @@ from procc_annotator.dataset.diagnostics import (
     classes_in,
     found_instead_of_cameras,
     found_instead_of_pictures,
+    has_packed_pictures,
 )
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import (
@@ -41,7 +42,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
 from procc_annotator.formats.file_listing import list_annotations
-from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.file_source import FileSource, open_source
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
 Dataset = Annotated[
@@ -94,7 +95,7 @@ def open_dataset(
             workspace.given = video.annotated(annotations, field, names)
         report_remarks((*workspace.notices, *video.problems, *workspace.given.notices))
         return workspace
-    if drawn and annotations is None and not _is_pictured(path):
+    if drawn and annotations is None and _is_unpictured(path):
         source = open_annotations(annotations_of(path), field, names)  # stays open
         frames = tuple(Frame(name, "", path, path) for name in list_annotations(source))
         if frames:
@@ -117,6 +118,14 @@ def open_dataset(
 def _classes_of(workspace: Workspace) -> frozenset[str]:
     readers = [partial(workspace.read, index) for index in range(len(workspace.frames))]
     return classes_in(readers[:: max(1, len(readers) // MOST_FRAMES)])
+
+
+def _is_unpictured(path: Path) -> bool:
+    """Return whether annotations are all there is, and no pictures are still packed."""
+    if _is_pictured(path):
+        return False
+    with open_source(path) as source:
+        return not has_packed_pictures(source)
 
 
 def _is_pictured(path: Path) -> bool:

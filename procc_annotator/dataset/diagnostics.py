@@ -141,6 +141,11 @@ def _pose_labels(source: FileSource, names: Sequence[str]) -> int:
     return len(texts) if told else 0
 
 
+def has_packed_pictures(source: FileSource) -> bool:
+    """Return whether pictures of SoccerNet-v3 lie in it that are still packed."""
+    return any(name.rpartition("/")[2] == _PACKED for name in source.tree())
+
+
 def found_instead_of_pictures(place: Path) -> str:
     """The same of a dataset without pictures."""
     if suffix_of(place.name) in PICTURE_SUFFIXES:
@@ -148,7 +153,7 @@ def found_instead_of_pictures(place: Path) -> str:
     try:
         with open_source(place) as source:
             told = detect_formats(source)
-            packed = [name for name in source.tree() if name.rpartition("/")[2] == _PACKED]
+            packed = has_packed_pictures(source)
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
         return ""
     if not told:
