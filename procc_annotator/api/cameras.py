@@ -46,9 +46,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
-    SIDECAR_SUFFIX,
     annotation_digest,
-    sidecar_content,
 )
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.writers import (
@@ -228,8 +226,8 @@ def save_camera(
         size: (width, height) px of the picture. A plain camera belongs to it; fits, and cameras
             whose file states theirs, are scaled to it. Homographies need one.
         fitted_to: the annotation that the camera was fitted to, where ``camera`` does not know it
-            (a fit does). The file, or one next to it that ends in .fit, then says so, and the
-            camera is marked and not ranked wherever it is judged by these clicks.
+            (a fit does). The file then says so, and the camera is marked and not ranked wherever
+            it is judged by these clicks.
         overwrite: whether a file that is there may be replaced.
 
     Returns:
@@ -256,11 +254,7 @@ def save_camera(
         data, losses = encode_camera(loaded, format, size=as_optional_size(size))
     except ValueError as error:
         raise UsageError(f"{file}: not written: {error}") from None
-    sidecar = file.with_suffix(SIDECAR_SUFFIX)
-    if loaded.fitted_on is not None and not writer.evaluated:  # the others say it themselves
-        write_atomic(sidecar, sidecar_content(loaded.fitted_on))
-    else:
-        sidecar.unlink(missing_ok=True)  # of the camera that was there before
+    file.with_suffix(".fit").unlink(missing_ok=True)  # of a camera that was there before
     write_atomic(file, data)
     return losses
 

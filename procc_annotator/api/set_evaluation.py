@@ -33,7 +33,6 @@ from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.sets import SetAccumulator, SetSummary
@@ -248,8 +247,9 @@ def score_set(
 def _input(name: str, annotation: FrameAnnotation, camera: CameraInPixels | None) -> FrameInput:
     if camera is None:
         return FrameInput(name, annotation)
-    fitted = FitCounts.of(camera.fitted_on, annotation)
-    return FrameInput(name, annotation, camera.camera, model=camera.model, fitted=fitted)
+    return FrameInput(
+        name, annotation, camera.camera, model=camera.model, fitted_on=camera.fitted_on
+    )
 
 
 def _certainty(

@@ -233,13 +233,15 @@ def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[s
     convention that this suffix stands for (yards, picture of 1280 x 720).
 
     Args:
-        digest: of the annotation that was fitted; a SoccerNet camera then names model and digest.
+        digest: of the annotation that was fitted, which the file then names.
     """
     if isinstance(fit.camera, HomographyCamera):
-        data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
+        loaded = LoadedCamera(fit.camera, "homography", fit.size, fitted_on=digest)
+        data, _ = encode_camera(loaded, "carwc")
         return file_of_frame(name, ".npy"), data
     if isinstance(fit.camera, FisheyeCamera):
-        data, _ = encode_camera(LoadedCamera(fit.camera, "fisheye", fit.size), "opencv")
+        loaded = LoadedCamera(fit.camera, "fisheye", fit.size, fitted_on=digest)
+        data, _ = encode_camera(loaded, "opencv")
         return file_of_frame(name, ".yml"), data
     if fit.camera is None:
         raise ValueError("a failed fit has no camera")
@@ -354,7 +356,7 @@ def save_fit(
         SaveError: writing failed, or a camera that is no saved fit is in the file's place.
         ValueError: the fit has no camera.
     """
-    name, data = camera_file(frame, fit)
+    name, data = camera_file(frame, fit, annotation_digest(annotation))
     path = folder / name
     beside = folder / file_of_frame(frame, SIDECAR_SUFFIX)
     others = _cameras_of(folder, frame)

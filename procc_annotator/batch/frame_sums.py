@@ -6,6 +6,7 @@ import math
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,12 @@ from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose, pose_in_degrees
 from procc_annotator.batch.grouping import FrameOrder, clusters_of
 from procc_annotator.batch.scoring import Evaluated
-from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
+from procc_annotator.formats.cameras.fit_record import (
+    NOT_FITTED,
+    FitCounts,
+    LeftOutElement,
+    name_with_mark,
+)
 from procc_annotator.metrics.measurement import Measurement, measure_projected
 from procc_annotator.metrics.score import FrameScore, jac_curve
 from procc_annotator.metrics.statistics.intervals import (
@@ -133,6 +139,7 @@ class FrameSums:
         fitted: whether the camera was fitted to the annotation it is judged by, or to another
             version of it.
         ground_only: whether the camera knows only the ground.
+        held_out: elements left out of the fit, see `Evaluated`.
     """
 
     frame: str
@@ -145,6 +152,7 @@ class FrameSums:
     fitted: FitCounts = NOT_FITTED
     ground_only: bool = False
     spread: float | None = None
+    held_out: tuple[LeftOutElement, ...] = ()
 
 
 def frame_sums(
@@ -175,6 +183,7 @@ def frame_sums(
         result.fitted,
         result.ground_only,
         spread,
+        evaluated.held_out,
     )
 
 
@@ -220,7 +229,7 @@ class SourceSums:
         """(F,) whether the source has a camera."""
         return np.array([frame.curve is not None for frame in self.frames], dtype=bool)
 
-    @property
+    @cached_property
     def fitted(self) -> FitCounts:
         """Its cameras that were fitted to the annotations they are judged by: no method among
         methods, and never the best of them."""

@@ -64,6 +64,23 @@ class MethodPair:
 
 
 @dataclass(frozen=True, eq=False)
+class HeldOutPair:
+    """Two fits on the elements that both determine from the others (leave-one-element-out).
+
+    Attributes:
+        a, b: their places.
+        elements: how many these are.
+        differences: threshold -> the share of them that is correct under a, that under b, and the
+            difference.
+    """
+
+    a: int
+    b: int
+    elements: int
+    differences: Mapping[float, tuple[float, float, PairedDifference]]
+
+
+@dataclass(frozen=True, eq=False)
 class Inference:
     """Sources over the same frames, chance considered.
 
@@ -144,7 +161,7 @@ class Inference:
     @cached_property
     def pairs(self) -> tuple[MethodPair, ...]:
         """Every two of the sources `compared`; what is tested is corrected for as many comparisons
-        at a threshold."""
+        at a threshold. In-sample differences of fits have no interval and no test."""
         found = [self._pair(a, b) for a, b in combinations(self.compared, 2)]
         if not found:
             return ()
@@ -157,6 +174,52 @@ class Inference:
             )
             for n, pair in enumerate(found)
         )  # fmt: skip
+
+    @cached_property
+    def held_out_pairs(self) -> tuple[HeldOutPair, ...]:
+        """Every two of the fits `compared`, tested and corrected for as many at a threshold."""
+        fits = [at for at in self.compared if any(f.held_out for f in self.sources[at].frames)]
+        found = [pair for a, b in combinations(fits, 2) if (pair := self._held_out(a, b))]
+        tests = {
+            tau: corrected_for([pair.differences[tau][2] for pair in found])
+            for tau in self.thresholds
+        }
+        return tuple(
+            replace(
+                pair,
+                differences={
+                    tau: (*pair.differences[tau][:2], tests[tau][n]) for tau in self.thresholds
+                },
+            )
+            for n, pair in enumerate(found)
+        )
+
+    def _held_out(self, a: int, b: int) -> HeldOutPair | None:
+        shape = len(self.clusters.numbers), len(self.thresholds)
+        passed, counts = np.zeros((2, *shape)), np.zeros(shape)
+        every = zip(self.sources[a].frames, self.sources[b].frames, strict=True)
+        for at, frames in enumerate(every):
+            known = [{e.name: e.predicted_px for e in frame.held_out} for frame in frames]
+            both = [name for name in known[0] if name in known[1]]
+            counts[at] = len(both)
+            for side, of_side in zip(passed, known, strict=True):
+                px = np.array([np.inf if of_side[n] is None else of_side[n] for n in both])
+                side[at] = (px[:, None] < np.array(self.thresholds)).sum(axis=0)
+        if not counts.any():
+            return None
+        sides = [RatioMetrics(side, counts) for side in passed]
+        found = self._paired(sides[0], sides[1])
+        shares = passed.sum(axis=1) / counts.sum(axis=0)
+        values = zip(self.thresholds, shares[0].tolist(), shares[1].tolist(), found, strict=True)
+        return HeldOutPair(
+            a, b, int(counts[:, 0].sum()), {tau: (of_a, of_b, d) for tau, of_a, of_b, d in values}
+        )
+
+    def _paired(self, a: RatioMetrics, b: RatioMetrics) -> list[PairedDifference]:
+        columns = a.parts.shape[1]
+        both = self._sampled(RatioMetrics.beside([a, b]))
+        pair = both.at(slice(0, columns)), both.at(slice(columns, None))
+        return paired_differences(a, b, pair, self.clusters.numbers, self.draws, self.method)
 
     def differences(self, key: str, tau: float) -> dict[tuple[int, int], PairedDifference]:
         """Of every two sources, by their places."""
@@ -270,12 +333,11 @@ class Inference:
     def _pair(self, a: int, b: int) -> MethodPair:
         shared = self._shared(a, b)
         sides = [self._compared(self.sources[at], shared) for at in (a, b)]
-        columns = sides[0].parts.shape[1]
-        both = self._sampled(RatioMetrics.beside(sides))
-        pair = both.at(slice(0, columns)), both.at(slice(columns, None))
-        found = paired_differences(
-            sides[0], sides[1], pair, self.clusters.numbers, self.draws, self.method
-        )
+        found = self._paired(sides[0], sides[1])
+        if not {a, b} <= set(self.methods):  # fits explain the clicks: nothing to test
+            found = [
+                replace(one, interval=None, deviation=None, p=None, corrected=None) for one in found
+            ]
         keys = [(key, tau) for key in COMPARED for tau in self.thresholds]
         return MethodPair(
             a,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import islice
 from typing import Generic, NamedTuple, TypeVar
 
@@ -185,7 +186,8 @@ class Evaluated:
     """A frame's result with what it was computed from, which stays in the process that has it.
 
     ``camera`` (px of the evaluation size), ``model``, ``measurement`` and ``annotation`` are there
-    for frames that have scores.
+    for frames that have scores; ``held_out`` for fits that elements were left out of with this
+    setup.
     """
 
     result: FrameResult
@@ -193,6 +195,7 @@ class Evaluated:
     model: str = ""
     measurement: Measurement | None = None
     annotation: FrameAnnotation | None = None
+    held_out: tuple[LeftOutElement, ...] = ()
 
 
 class FrameFiles(NamedTuple):
@@ -216,6 +219,11 @@ class Tally:
     fitted: FitCounts = NOT_FITTED
     held_out: LeftOutTally = field(default_factory=LeftOutTally)
     notes: AnnotationNotes = field(default_factory=AnnotationNotes)
+
+    @cached_property
+    def left_out_terms(self) -> LeftOutSettings:
+        """What elements left out of fits are judged with."""
+        return left_out_settings(self.sums.setup)
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
         """Every sum a frame belongs to."""
@@ -249,7 +257,7 @@ class FrameInput:
         annotation: None if it could not be read.
         camera: px of the evaluation size; None if absent or it could not be read.
         place: where the camera was read.
-        model, notices, fitted, held_out: of the camera.
+        model, notices, fitted_on, held_out: of the camera, see `LoadedCamera`.
         error: what could not be read, and why.
         groups: values of what the set is grouped by; that of ``model`` is the camera's.
     """
@@ -260,7 +268,7 @@ class FrameInput:
     place: str | None = None
     model: str = ""
     notices: tuple[str, ...] = ()
-    fitted: FitCounts = NOT_FITTED
+    fitted_on: str | None = None
     held_out: LeftOutResult | None = None
     error: str | None = None
     groups: tuple[str | None, ...] = ()
@@ -322,8 +330,10 @@ def _scored(
     ground_only = measurement.projected.ground_only
     tally.with_camera += 1
     tally.ground_only |= ground_only
-    tally.fitted += frame.fitted
-    tally.held_out.add(frame.held_out if frame.fitted.these else None)
+    fitted = FitCounts.of(frame.fitted_on, annotation, measurement)
+    tally.fitted += fitted
+    held_out = frame.held_out if fitted.these else None
+    tally.held_out.add(held_out)
     result = FrameResult(
         name,
         frame.place,
@@ -333,10 +343,13 @@ def _scored(
         ground_only=ground_only,
         model=frame.model,
         groups=groups,
-        fitted=frame.fitted,
+        fitted=fitted,
         clicked=extent,
     )
-    return Evaluated(result, frame.camera, frame.model, measurement, annotation)
+    elements: tuple[LeftOutElement, ...] = ()
+    if held_out is not None and held_out.terms == tally.left_out_terms:
+        elements = held_out.elements
+    return Evaluated(result, frame.camera, frame.model, measurement, annotation, elements)
 
 
 @dataclass(frozen=True)
@@ -390,7 +403,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
             place,
             model_name(camera, loaded.model, setup.size),
             loaded.notices if scaled is None else (*loaded.notices, scaled),
-            FitCounts.of(loaded.fitted_on, annotation),
+            loaded.fitted_on,
             loaded.held_out,
             groups=frame.groups,
         )

@@ -307,7 +307,7 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
 
 
 def _source_entry(compared: ComparisonReport, which: int, path: Path) -> dict[str, Any]:
-    mark = compared.fitted[which].entry(bool)
+    mark = dict.fromkeys(compared.fitted[which].entry(), True)
     return {"name": compared.names[which], "path": str(path), **mark}
 
 

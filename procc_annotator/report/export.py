@@ -28,7 +28,6 @@ from procc_annotator.formats.annotations.soccernet_set import (
     without_unknown_to_official,
 )
 from procc_annotator.formats.atomic import make_folder, open_replacing
-from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.formats.file_source import open_source
@@ -308,8 +307,9 @@ def _input(
         problem = f"{why} ({NAME_THE_FORMAT})"
     if problem:
         return FrameInput(name, annotation, error=f"{name}: {problem}")
-    fitted = FitCounts.of(loaded.fitted_on, annotation)
-    return FrameInput(name, annotation, loaded.camera, place, model=loaded.model, fitted=fitted)
+    return FrameInput(
+        name, annotation, loaded.camera, place, loaded.model, fitted_on=loaded.fitted_on
+    )
 
 
 # ------------------------------------------------------------------------------------- targets

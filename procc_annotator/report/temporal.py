@@ -83,7 +83,7 @@ _OF_FRAME = (
     Column("frame", "frame"),
     count_column("number"),
     Column("camera", "camera", "yes_no"),
-    *(Column(key, kind="yes_no") for key in FITTED_KEYS),
+    *(Column(key, kind="yes_no") for key in FITTED_KEYS[:2]),
     metric_column(metrics.JAC),
     metric_column(metrics.STEP_PX),
     metric_column(metrics.JITTER_PX),
@@ -324,6 +324,6 @@ def _frame_rows(one: TemporalMetrics, shot: ShotOverTime) -> list[tuple[Value, .
     for at, (name, number) in enumerate(zip(shot.shot.frames, shot.shot.numbers, strict=True)):
         values = [float(v) if np.isfinite(v) else None for v in numbers[at]]
         named = (one.set_name, one.source, shot.shot.name, name, number)
-        known = (not gone[at], *shot.fitted[at].values)
+        known = (not gone[at], *shot.fitted[at].of_frame[:2])
         rows.append((*named, *known, *values[:4], bool(shot.broken.unsteady[at]), *values[4:]))
     return rows

@@ -272,7 +272,7 @@ def test_files_hold_intervals_differences_ranks_and_the_curve(written):
         for row in found["differences"]["rows"]
     }
     assert verdicts[2.0, "pnlcalib", "nbjw"] == "undecided"
-    assert verdicts[5.0, "pnlcalib", "nbjw"] == "beyond chance"
+    assert verdicts[5.0, "pnlcalib", "nbjw"] == "significant"
     parts = found["by_elements"]["rows"]
     assert sorted(part["frames"] for part in parts) == [40, 69, 77]
     most = [max(abs(v) for k, v in p.items() if k.startswith("jac_difference ")) for p in parts]

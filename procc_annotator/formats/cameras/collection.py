@@ -137,7 +137,7 @@ class CameraCollection:
         held_out, remark = self._held_out.of(file, data)
         loaded = replace(
             loaded,
-            fitted_on=self._fitted_on.of(own, file, loaded.extra),
+            fitted_on=self._fitted_on.of(own, file, loaded.extra, data),
             held_out=held_out,
             notices=(*loaded.notices, remark) if remark else loaded.notices,
         )

@@ -9,27 +9,36 @@ import hashlib
 import io
 import json
 import math
+import operator
+import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from functools import cache
 from typing import Any
+
+import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.csv_tables import unescape_formula
 from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.metrics.measurement import Measurement, nearest_points
+from procc_annotator.metrics.statistics.independence import are_dependent, independence_evidence
 from procc_annotator.translation import word
 
-# The marks of cameras that explain the points they were made from, and predict none of them.
+# Marks of methods that are not ranked: their cameras explain the points they were fitted to.
 FITTED = word("fitted on these clicks")
 OTHER_VERSION = word("fitted to another version of these annotations")
 SOME_OTHER_VERSION = word("fitted on these clicks, or to another version of these annotations")
-MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION)
-FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version")
+TOO_CLOSE = word("closer to these clicks than a prediction can be")
+MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION, TOO_CLOSE)
+FRAME_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version", "independence_p")
+FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version", "too_close_to_clicks")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
 SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it
+_MARK = re.compile(rb"annotation_sha256\W{1,8}([0-9a-f]{64})")
 
 
 def annotation_digest(annotation: FrameAnnotation) -> str:
@@ -40,52 +49,79 @@ def annotation_digest(annotation: FrameAnnotation) -> str:
 @dataclass(frozen=True, slots=True)
 class FitCounts:
     """Number of cameras that were fitted to the annotations they are judged by, or to another
-    version of these; false without any. No such source is ranked.
+    version of these, or whose residuals say so; false without any. No such method is ranked.
 
     A point that was moved since leaves a camera that still explains the others.
+
+    Attributes:
+        these, another: cameras with a mark. tested: cameras without, whose residuals were tested.
+        evidence: of these cameras together, see `independence_evidence`.
     """
 
     these: int = 0
     another: int = 0
+    tested: int = 0
+    evidence: float = 0.0
 
     @classmethod
-    def of(cls, digest: str | None, annotation: FrameAnnotation) -> FitCounts:
-        """One camera by the digest of what it was fitted to, judged by an annotation."""
-        if digest is None:
-            return NOT_FITTED
-        same = digest == annotation_digest(annotation)
-        return cls(int(same), int(not same))
+    def of(
+        cls,
+        digest: str | None,
+        annotation: FrameAnnotation,
+        measurement: Measurement | None = None,
+    ) -> FitCounts:
+        """One camera by the digest of what it was fitted to, or without one by its residuals.
+
+        Args:
+            annotation: that it is judged by. measurement: of the annotation; None for no test.
+        """
+        if digest is not None:
+            same = digest == annotation_digest(annotation)
+            return cls(int(same), int(not same))
+        evidence = None if measurement is None else _evidence(measurement)
+        return NOT_FITTED if evidence is None else cls(tested=1, evidence=evidence)
 
     def __bool__(self) -> bool:
         return self.count > 0
 
     def __add__(self, other: FitCounts) -> FitCounts:
-        return FitCounts(self.these + other.these, self.another + other.another)
+        return FitCounts(*map(operator.add, astuple(self), astuple(other)))
 
     def __sub__(self, other: FitCounts) -> FitCounts:
-        return FitCounts(self.these - other.these, self.another - other.another)
+        return FitCounts(*map(operator.sub, astuple(self), astuple(other)))
+
+    @property
+    def too_close(self) -> int:
+        """Cameras without a mark that together are no predictions of these clicks."""
+        return self.tested if are_dependent(self.tested, self.evidence) else 0
 
     @property
     def count(self) -> int:
-        """Of both together."""
-        return self.these + self.another
+        """Of all kinds together."""
+        return self.these + self.another + self.too_close
 
     @property
     def mark(self) -> str:
         """Words for people; empty without any."""
         if not self.another:
-            return FITTED if self.these else ""
+            return FITTED if self.these else TOO_CLOSE if self.too_close else ""
         return SOME_OTHER_VERSION if self.these else OTHER_VERSION
 
     @property
-    def values(self) -> tuple[bool, bool]:
-        """For the two columns of tables, `FITTED_KEYS`."""
-        return self.these > 0, self.another > 0
+    def values(self) -> tuple[int, int, int]:
+        """For the columns of tables, `FITTED_KEYS`."""
+        return self.these, self.another, self.too_close
 
-    def entry(self, kind: Callable[[int], Any] = int) -> dict[str, Any]:
-        """For JSON: what there is, as a number or as ``kind`` makes of it."""
-        counts = zip(FITTED_KEYS, (self.these, self.another), strict=True)
-        return {key: kind(count) for key, count in counts if count}
+    @property
+    def of_frame(self) -> tuple[bool, bool, float | None]:
+        """Of one camera, for the columns `FRAME_KEYS`: the marks, and p of the test."""
+        p = math.exp(-self.evidence) if self.tested else None
+        return self.these > 0, self.another > 0, p
+
+    def entry(self, *, frame: bool = False) -> dict[str, Any]:
+        """For JSON: what there is, of a set or of one frame."""
+        keys, values = (FRAME_KEYS, self.of_frame) if frame else (FITTED_KEYS, self.values)
+        return {key: value for key, value in zip(keys, values, strict=True) if value}
 
     def among(self, with_camera: int) -> str:
         """The mark for a source with so many cameras."""
@@ -96,6 +132,17 @@ class FitCounts:
 NOT_FITTED = FitCounts()
 
 
+def _evidence(measurement: Measurement) -> float | None:
+    plain = measurement.plain
+    counts = np.array(plain.point_counts, dtype=np.intp)
+    shown = np.repeat(np.array(plain.projected, dtype=bool), counts)
+    feet = [own for own in nearest_points(measurement, plain) if own is not None]
+    if not feet:
+        return None
+    points = measurement.points_px[shown]
+    return independence_evidence(points, np.concatenate(feet) - points)
+
+
 def name_with_mark(name: str, fitted: FitCounts) -> str:
     """The name of a source as it stands next to others, with the mark if it was fitted so."""
     return f"{name} ({fitted.mark})" if fitted else name
@@ -104,6 +151,17 @@ def name_with_mark(name: str, fitted: FitCounts) -> str:
 def sidecar_content(digest: str) -> bytes:
     """Return what a file next to a camera says of the annotation it was fitted to."""
     return json.dumps({DIGEST: digest}).encode()
+
+
+def with_mark(data: bytes, digest: str | None) -> bytes:
+    """A camera's file that says in itself what it was fitted to: a JSON object as a key, any other
+    as a last line, which readers of text, YAML and .npy pass over."""
+    if digest is None or _MARK.search(data):
+        return data
+    if data.startswith(b"{"):
+        key = json.dumps({FIT_KEY: {DIGEST: digest}})[1:-1].encode()
+        return data.rstrip()[:-1].rstrip() + b",\n  " + key + b"\n}\n"
+    return data + f"# {DIGEST}: {digest}\n".encode()
 
 
 def folders_of(file: str) -> Iterator[str]:
@@ -126,14 +184,17 @@ class FitDigests:
         self._read = read
         self._table = cache(lambda folder: _table(read(folder + TABLE_FILE)))
 
-    def of(self, frame: str, file: str, extra: Mapping[str, Any]) -> str | None:
+    def of(self, frame: str, file: str, extra: Mapping[str, Any], data: bytes = b"") -> str | None:
         """The digest of the annotation that a camera was fitted to; None if nothing says so.
 
         Args:
             file: of the camera, in the source.
             extra: keys of the file that are not part of the camera.
+            data: the file, if it is of this camera alone.
         """
         own = _digest_in(extra.get(FIT_KEY))
+        if own is None and (mark := _MARK.search(data)):
+            own = mark[1].decode()
         if own is not None:
             return own
         beside = file[: file.rfind("/") + 1] + frame.rpartition("/")[2]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -194,7 +195,7 @@ def _from_npy(data: bytes, path: str) -> FloatArray:
 
 
 def numbers_of_text(data: bytes, path: str) -> list[float]:
-    """The numbers of a text, separated by white space or commas.
+    """The numbers of a text, separated by white space or commas; # begins a comment.
 
     Raises:
         CameraError: no text, or something else than finite numbers.
@@ -202,7 +203,7 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
     text = utf8_text(data, path)
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
-        for word in line.replace(",", " ").split():
+        for word in line.partition("#")[0].replace(",", " ").split():
             number = _number(word)
             if number is None:
                 problem = f"expected a finite number, found {word[:40]!r}"
@@ -273,7 +274,7 @@ def _projection(data: bytes, path: str) -> list[list[float]] | None:
             return None
         rows: list[list[float]] = array.astype(np.float64).tolist()
         return rows
-    if len(data) > _LARGEST_TEXT or len(data.replace(b",", b" ").split()) != 12:
+    if len(data) > _LARGEST_TEXT or len(re.sub(rb"#.*|,", b" ", data).split()) != 12:
         return None
     numbers = np.array(numbers_of_text(data, path))
     return [[float(number) for number in row] for row in numbers.reshape(3, 4)]

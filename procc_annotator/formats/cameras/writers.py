@@ -20,8 +20,7 @@ from procc_annotator.formats.atomic import make_folder, write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
-    SIDECAR_SUFFIX,
-    sidecar_content,
+    with_mark,
 )
 from procc_annotator.formats.cameras.homography import CONVENTIONS, HOMOGRAPHY_SIZE
 from procc_annotator.formats.cameras.krt import write_krt
@@ -199,7 +198,7 @@ def encode_camera(
         ValueError: the format cannot hold this camera, and why.
     """
     writer = writer_of(to)
-    return writer.encode(_for_size(loaded, writer.size or size))
+    return _with_mark(writer, _for_size(loaded, writer.size or size))
 
 
 def write_cameras(
@@ -238,22 +237,23 @@ def write_cameras(
         for number, (frame, loaded) in enumerate(cameras, 1):
             encoded = _encoded(frame, loaded, writer, size, done)
             if encoded is not None:
-                files = {_place(writer, frame, split): encoded}
-                digest = None if isinstance(loaded, CameraError) else loaded.fitted_on
-                if digest is not None and not writer.evaluated:  # the others say it themselves
-                    files[file_of_frame(frame, SIDECAR_SUFFIX)] = sidecar_content(digest)
-                for name, data in files.items():
-                    if archived:
-                        archive.writestr(_entry(name), data)
-                    else:
-                        make_folder((out / name).parent)
-                        write_atomic(out / name, data)
+                name = _place(writer, frame, split)
+                if archived:
+                    archive.writestr(_entry(name), encoded)
+                else:
+                    make_folder((out / name).parent)
+                    write_atomic(out / name, encoded)
                 done.written += 1
             if progress is not None:
                 progress(number, total)
     if archived and done.written:
         write_atomic(out, buffer.getvalue())
     return done
+
+
+def _with_mark(writer: CameraWriter, loaded: LoadedCamera) -> tuple[bytes, Losses]:
+    data, losses = writer.encode(loaded)
+    return with_mark(data, loaded.fitted_on), losses
 
 
 def _place(writer: CameraWriter, frame: str, split: str) -> str:
@@ -278,7 +278,7 @@ def _encoded(
         return None
     try:
         loaded = _for_size(loaded, writer.size or size)
-        data, losses = writer.encode(loaded)
+        data, losses = _with_mark(writer, loaded)
     except ValueError as error:
         done.problems.append(f"{shown}: {error}; not written")
         return None

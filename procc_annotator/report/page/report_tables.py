@@ -353,7 +353,7 @@ def report_csv(report: AuditReport) -> bytes:
                 "height": setup.size[1],
                 TAU.key: tau,
                 "field": setup.field.described,
-                **dict(zip(FITTED_KEYS, (source.fitted.these, source.fitted.another), strict=True)),
+                **dict(zip(FITTED_KEYS, source.fitted.values, strict=True)),
             }
             of_set: dict[str, Value] = {
                 "images": summary.images,

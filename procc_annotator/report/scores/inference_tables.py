@@ -32,7 +32,10 @@ from procc_annotator.report.tables.metrics import (
     FRAMES_FOR,
     FRAMES_ONLY_A,
     FRAMES_ONLY_B,
+    HELD_OUT_DIFFERENCE,
+    HELD_OUT_ELEMENTS,
     JAC_DIFFERENCE,
+    LEFT_OUT_SCORE,
     MEAN_JAC,
     MINIMUM_DETECTABLE_DIFFERENCE,
     P_CORRECTED,
@@ -51,6 +54,7 @@ from procc_annotator.report.tables.table import (
     metric_column,
 )
 
+SIGNIFICANT = "significant"
 POINTS = (0.01, 0.02, 0.05)  # differences that a set should tell, as shares
 _POWER = 0.8
 _CURVE_STEP = 5  # of `TAU_GRID`, in a file
@@ -73,6 +77,8 @@ def inference_tables(
     sheets = [intervals_table(certainty, summaries, described)]
     if certainty.pairs:
         sheets += [differences_table(certainty, described), ranks_table(certainty, described)]
+    if certainty.held_out_pairs:
+        sheets.append(held_out_pairs_table(certainty, described))
     if power:
         sheets.append(power_table(certainty, described))
     return sheets
@@ -109,7 +115,7 @@ def interval_columns(figure: Metric) -> tuple[Column, Column]:
 def differences_table(certainty: Inference, described: str) -> MetricTable:
     """Every two sources on the frames both have, at every threshold. The verdict stands before the
     figures, where a narrow page shows it."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "JaC")]
+    columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "verdict (JaC)")]
     for figure, _ in DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
@@ -136,8 +142,8 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
     notes = (
         f"In brackets {certainty.described}.",
         "JaC and mean error are compared on the frames both sources have; frames that only one has"
-        " count for completeness and the final score. Bold: beyond chance, between methods"
-        " whose errors are of the same points.",
+        " count for completeness and the final score. Bold: significant, between methods"
+        " whose errors are of the same points. In-sample differences of fits are not tested.",
         *certainty.cautions,
     )
     return MetricTable(
@@ -146,11 +152,43 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
     )  # fmt: skip
 
 
+def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
+    """Every two fits on the elements that both determine from the others, at every threshold."""
+    columns = (
+        TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "verdict"),
+        metric_column(LEFT_OUT_SCORE, key="held_out_a", heading="A held out %"),
+        metric_column(LEFT_OUT_SCORE, key="held_out_b", heading="B held out %"),
+        metric_column(HELD_OUT_DIFFERENCE), *interval_columns(HELD_OUT_DIFFERENCE),
+        metric_column(P_VALUE), metric_column(P_CORRECTED),
+        defined_count_column(HELD_OUT_ELEMENTS), defined_count_column(FRAMES),
+    )  # fmt: skip
+    names = [source.name for source in certainty.sources]
+    rows = tuple(
+        (
+            tau, names[pair.a], names[pair.b], verdict(found), of_a, of_b, found.value,
+            *interval_ends(found.interval), found.p, found.corrected, pair.elements, found.frames,
+        )
+        for tau in certainty.thresholds
+        for pair in certainty.held_out_pairs
+        for of_a, of_b, found in [pair.differences[tau]]
+    )  # fmt: skip
+    bold = {(at, 6) for at, row in enumerate(rows) if row[3] == SIGNIFICANT}
+    notes = (
+        "Every element is judged by the camera of the frame's other elements, on the elements that"
+        f" both fits determine so. In brackets {certainty.described}.",
+        *certainty.cautions,
+    )
+    return MetricTable(
+        "held_out_differences", "Fits compared, leave-one-element-out", columns, rows, described,
+        notes, frozenset(bold),
+    )  # fmt: skip
+
+
 def verdict(found: PairedDifference) -> str:
     """Return what can be said of a difference, in two words."""
     if found.interval is None:
-        return "cannot tell"
-    return "beyond chance" if found.beyond_chance else "undecided"
+        return "not tested"
+    return SIGNIFICANT if found.beyond_chance else "undecided"
 
 
 def ranks_table(certainty: Inference, described: str) -> MetricTable:

@@ -11,7 +11,7 @@ from procc_annotator.batch.evaluation import GroupSummary
 from procc_annotator.batch.scoring import FrameResult
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.cameras.fit_record import FITTED_KEYS
+from procc_annotator.formats.cameras.fit_record import FRAME_KEYS
 from procc_annotator.metrics.measurement import Labelling
 from procc_annotator.metrics.score import FrameScore, Status
 from procc_annotator.metrics.sets import SetSummary
@@ -67,7 +67,10 @@ FRAME_COLUMNS = (
 )
 
 # Whether the camera was fitted to the annotation it is judged by, or to another version of it.
-FITTED_COLUMNS = tuple(Column(key, kind="yes_no") for key in FITTED_KEYS)
+FITTED_COLUMNS = (
+    *(Column(key, kind="yes_no") for key in FRAME_KEYS[:2]),
+    Column(FRAME_KEYS[2], kind="number", written=".4f"),
+)
 
 
 def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
@@ -132,7 +135,7 @@ def _row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> Row:
         camera, error = None, error or "no camera"
     terms = (setup.protocol, "; ".join(chosen), *setup.size)
     more = (
-        *result.fitted.values,
+        *result.fitted.of_frame,
         result.model or None,
         *metric_values(OF_ANNOTATION, result.clicked),
     )
@@ -201,7 +204,7 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
     if result.clicked is not None:
         image |= metric_entry(OF_ANNOTATION, result.clicked)
     image["results"] = entries
-    image |= result.fitted.entry(bool)
+    image |= result.fitted.entry(frame=True)
     if by:
         image["groups"] = dict(zip(by, result.groups, strict=True))
     return encoded(image)

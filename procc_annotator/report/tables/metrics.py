@@ -300,6 +300,11 @@ LEFT_OUT_SCORE = Metric(
     "held_out", "held out", "%", "higher",
     definition="The share of elements that are correct under the camera of the other elements.",
 )  # fmt: skip
+HELD_OUT_DIFFERENCE = Metric(
+    "held_out_difference", "held out, A less B", "%", signed=True,
+    definition="The share of elements that are correct held out under A less that under B, on the"
+    " elements that both determine.",
+)  # fmt: skip
 IN_SAMPLE = Metric(
     "in_sample", "in sample", "%", "higher",
     definition="The share of the same elements that are correct under the camera of all elements.",

@@ -96,7 +96,7 @@ def _audit(
     setup = setup.of_frame(frame)
     projected = shown.projected or project_field(shown.camera, setup)
     measurement = measure_projected(annotation, projected, setup)
-    fitted = FitCounts.of(shown.fitted_on, annotation)
+    fitted = FitCounts.of(shown.fitted_on, annotation, measurement)
     return audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted), ""
 
 
@@ -220,7 +220,7 @@ class DatasetScoring(QObject):
         if active is not None and active.files is not None:
             measured = self._measured if state.counts else None
             shown = self._scorer.shown
-            fitted = FitCounts.of(shown.fitted_on, state.annotation)
+            fitted = FitCounts.of(shown.fitted_on, state.annotation, measured)
             self._put(active, name, shown, measured, state.tau, fitted)
         others = [
             (s, self._source_frames.of(s))

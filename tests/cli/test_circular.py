@@ -1,0 +1,103 @@
+"""Fits to the clicks that they are judged by are found, with their mark or without."""
+
+import json
+import re
+import shutil
+
+import numpy as np
+import pytest
+from scipy.stats import gamma
+
+from procc_annotator.metrics.statistics.independence import are_dependent, independence_evidence
+
+
+@pytest.fixture(scope="module")
+def wc14(shared_data, tmp_path_factory):
+    """Every sixth frame: annotations, published methods."""
+    out = tmp_path_factory.mktemp("wc14")
+    for source in ("annotations", "cameras_pnlcalib", "cameras_nbjw", "homographies_carwc"):
+        (out / source).mkdir()
+        for path in (shared_data / "wc14" / source).iterdir():
+            if int(re.sub(r"\D", "", path.stem)) % 6 == 0:
+                shutil.copy(path, out / source)
+    return out
+
+
+@pytest.fixture(scope="module")
+def fits(cli, wc14, tmp_path_factory):
+    out = tmp_path_factory.mktemp("fits")
+    for model in ("P", "R", "R+", "H"):
+        cli("calibrate", wc14 / "annotations", out / model, "--model", model)
+        (out / model / "calibration.csv").unlink()
+    return out
+
+
+def described(cli, annotations, **cameras):
+    """Method -> the terms in its caption, of methods with marks."""
+    named = [a for name, path in cameras.items() for a in ("--cameras", f"{name}={path}")]
+    cli("evaluate", annotations, *named, "-o", annotations.parent / "s.json", "--intervals")
+    content = json.loads((annotations.parent / "s.json").read_text())
+    ranks = {row["source"].partition(" (") for row in content["chance"][0]["ranks"]["rows"]}
+    tested = {
+        (row["a"], row["b"])
+        for row in content["chance"][0].get("differences", {"rows": []})["rows"]
+        if row["p"] is not None
+    }
+    return {name: mark.rstrip(")") for name, _, mark in ranks}, tested
+
+
+def test_fits_without_marks_are_found_and_published_methods_are_not(cli, wc14, fits, tmp_path):
+    for path in fits.glob("*/*"):
+        (tmp_path / path.parent.name).mkdir(exist_ok=True)
+        data = path.read_bytes()
+        plain = (
+            json.dumps({k: v for k, v in json.loads(data).items() if k != "fit"}).encode()
+            if path.suffix == ".json"
+            else re.sub(rb"# annotation_sha256.*\n", b"", data)
+        )
+        (tmp_path / path.parent.name / path.name).write_bytes(plain)
+    marks, tested = described(
+        cli, wc14 / "annotations", P=tmp_path / "P", R=tmp_path / "R", Rp=tmp_path / "R+",
+        H=tmp_path / "H", pnl=wc14 / "cameras_pnlcalib", nbjw=wc14 / "cameras_nbjw",
+        carwc=wc14 / "homographies_carwc",
+    )  # fmt: skip
+    close = "closer to these clicks than a prediction can be"
+    assert marks == dict.fromkeys(("P", "R", "Rp", "H"), close) | dict.fromkeys(
+        ("pnl", "nbjw", "carwc"), ""
+    )
+    assert tested == {("pnl", "nbjw"), ("pnl", "carwc"), ("nbjw", "carwc")}
+
+
+def test_marks_survive_conversion_copying_and_changed_clicks(cli, wc14, fits, tmp_path):
+    found = {}
+    for to in ("soccernet-camera", "opencv", "krt", "wc14", "carwc", "world"):
+        cli("convert", fits / "P", tmp_path / to, "--to", to)
+        assert not list((tmp_path / to).glob("*.fit"))
+        found[to.replace("-", "_")] = tmp_path / to
+    marks, _ = described(cli, wc14 / "annotations", H=fits / "H", **found)
+    assert set(marks.values()) == {"fitted on these clicks"}
+    shutil.copytree(wc14 / "annotations", moved := tmp_path / "moved" / "annotations")
+    for path in moved.iterdir():
+        content = json.loads(path.read_text())
+        next(iter(content.values()))[0]["x"] += 0.001 / 959
+        path.write_text(json.dumps(content))
+    marks, tested = described(cli, moved, R=fits / "R", pnl=wc14 / "cameras_pnlcalib")
+    assert marks == {"R": "fitted to another version of these annotations", "pnl": ""}
+    assert not tested
+
+
+def test_the_test_keeps_its_level_for_the_true_camera():
+    """Errors of clicks alone: p is uniform, and so is the combined one."""
+    rng = np.random.default_rng(3)
+    evidence = []
+    for _ in range(4000):
+        points = rng.uniform(0, 900, (14, 2))
+        angles = rng.uniform(0, np.pi, 14)
+        across = np.column_stack((np.cos(angles), np.sin(angles)))
+        evidence.append(independence_evidence(points, across * rng.normal(0, 2, (14, 1))))
+    shares = np.quantile(np.exp(-np.array(evidence)), (0.05, 0.5, 0.95))
+    np.testing.assert_allclose(shares, (0.05, 0.5, 0.95), atol=0.02)
+    for count in (1, 7, 200):
+        limit = gamma.isf(0.001, count)
+        assert not are_dependent(count, limit * 0.999)
+        assert are_dependent(count, limit * 1.001)
