@@ -36,6 +36,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.loading import load_camera as load_camera
     from procc_annotator.api.loading import load_cameras as load_cameras
     from procc_annotator.api.loading import load_dataset as load_dataset
+    from procc_annotator.api.methods import save_projection as save_projection
     from procc_annotator.api.set_evaluation import SetScore as SetScore
     from procc_annotator.api.set_evaluation import evaluate_set as evaluate_set
     from procc_annotator.calibration.label_check.finding import Finding as Finding
@@ -107,6 +108,7 @@ _HOMES = {
         "load_cameras",
         "load_dataset",
     ),
+    "api.methods": ("save_projection",),
     "api.set_evaluation": (
         "SetScore",
         "evaluate_set",

@@ -255,7 +255,8 @@ def save_camera(
     try:
         data, losses = encode_camera(loaded, format, size=as_optional_size(size))
     except ValueError as error:
-        raise UsageError(f"{file}: not written: {error}") from None
+        other = "; save_projection keeps where a camera of any model shows the field"
+        raise UsageError(f"{file}: not written: {error}{other}") from None
     sidecar = file.with_suffix(SIDECAR_SUFFIX)
     if loaded.fitted_on is not None and not writer.evaluated:  # the others say it themselves
         write_atomic(sidecar, sidecar_content(loaded.fitted_on))

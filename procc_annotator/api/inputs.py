@@ -31,7 +31,7 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
-from procc_annotator.metrics.projection import clipped_projection_error
+from procc_annotator.metrics.projection import projections_error
 from procc_annotator.metrics.setup import EvaluationSetup
 
 AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
@@ -102,7 +102,7 @@ def evaluated_camera(
         UsageError: as of `camera_at_size`, or projections that the protocol cannot judge.
     """
     found = camera_at_size(camera, setup.size, camera_size, name, field=setup.field)
-    if problem := clipped_projection_error(found.camera, setup):
+    if problem := projections_error(found.camera, setup):
         raise UsageError(f"{name}: {problem}")
     return found
 
