@@ -47,6 +47,7 @@ from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
     SIDECAR_SUFFIX,
+    UNCERTAINTY,
     annotation_digest,
     sidecar_content,
 )
@@ -280,7 +281,11 @@ def _with_size(camera: AnyCamera, size: tuple[int, int] | None) -> LoadedCamera:
     if isinstance(camera, FitResult):
         if camera.camera is None:
             raise UsageError(f"there is no camera to write, the fit failed: {camera.failure}")
-        return LoadedCamera(camera.camera, camera.model, camera.size, fitted_on=camera.fitted_on)
+        what = {"model": camera.model, DIGEST: camera.fitted_on, UNCERTAINTY: camera.uncertainty}
+        return LoadedCamera(
+            camera.camera, camera.model, camera.size, content={FIT_KEY: what},
+            fitted_on=camera.fitted_on,
+        )  # fmt: skip
     as_camera(camera, "camera")
     return LoadedCamera(camera, str(getattr(camera, "model", type(camera).__name__)), size)
 

@@ -27,6 +27,7 @@ SOME_OTHER_VERSION = word("fitted on these clicks, or to another version of thes
 MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION)
 FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
+UNCERTAINTY = "uncertainty"  # among that: vector and covariance of its parameters
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
 SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it
