@@ -30,6 +30,9 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.evaluation import evaluate as evaluate
     from procc_annotator.api.evaluation import jac_curve as jac_curve
     from procc_annotator.api.evaluation import project_field as project_field
+    from procc_annotator.api.ground_points import PlacedPoints as PlacedPoints
+    from procc_annotator.api.ground_points import to_ground as to_ground
+    from procc_annotator.api.ground_points import to_pixels as to_pixels
     from procc_annotator.api.loading import Dataset as Dataset
     from procc_annotator.api.loading import load_annotation as load_annotation
     from procc_annotator.api.loading import load_annotations as load_annotations
@@ -99,6 +102,11 @@ _HOMES = {
         "evaluate",
         "jac_curve",
         "project_field",
+    ),
+    "api.ground_points": (
+        "PlacedPoints",
+        "to_ground",
+        "to_pixels",
     ),
     "api.loading": (
         "Dataset",
