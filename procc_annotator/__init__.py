@@ -30,12 +30,16 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.evaluation import evaluate as evaluate
     from procc_annotator.api.evaluation import jac_curve as jac_curve
     from procc_annotator.api.evaluation import project_field as project_field
+    from procc_annotator.api.ground_points import PlacedPoints as PlacedPoints
+    from procc_annotator.api.ground_points import to_ground as to_ground
+    from procc_annotator.api.ground_points import to_pixels as to_pixels
     from procc_annotator.api.loading import Dataset as Dataset
     from procc_annotator.api.loading import load_annotation as load_annotation
     from procc_annotator.api.loading import load_annotations as load_annotations
     from procc_annotator.api.loading import load_camera as load_camera
     from procc_annotator.api.loading import load_cameras as load_cameras
     from procc_annotator.api.loading import load_dataset as load_dataset
+    from procc_annotator.api.methods import save_projection as save_projection
     from procc_annotator.api.set_evaluation import SetScore as SetScore
     from procc_annotator.api.set_evaluation import evaluate_set as evaluate_set
     from procc_annotator.calibration.label_check.finding import Finding as Finding
@@ -99,6 +103,11 @@ _HOMES = {
         "jac_curve",
         "project_field",
     ),
+    "api.ground_points": (
+        "PlacedPoints",
+        "to_ground",
+        "to_pixels",
+    ),
     "api.loading": (
         "Dataset",
         "load_annotation",
@@ -107,6 +116,7 @@ _HOMES = {
         "load_cameras",
         "load_dataset",
     ),
+    "api.methods": ("save_projection",),
     "api.set_evaluation": (
         "SetScore",
         "evaluate_set",

@@ -46,6 +46,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
+    UNCERTAINTY,
     annotation_digest,
 )
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
@@ -253,7 +254,8 @@ def save_camera(
     try:
         data, losses = encode_camera(loaded, format, size=as_optional_size(size))
     except ValueError as error:
-        raise UsageError(f"{file}: not written: {error}") from None
+        other = "; save_projection keeps where a camera of any model shows the field"
+        raise UsageError(f"{file}: not written: {error}{other}") from None
     file.with_suffix(".fit").unlink(missing_ok=True)  # of a camera that was there before
     write_atomic(file, data)
     return losses
@@ -273,7 +275,11 @@ def _with_size(camera: AnyCamera, size: tuple[int, int] | None) -> LoadedCamera:
     if isinstance(camera, FitResult):
         if camera.camera is None:
             raise UsageError(f"there is no camera to write, the fit failed: {camera.failure}")
-        return LoadedCamera(camera.camera, camera.model, camera.size, fitted_on=camera.fitted_on)
+        what = {"model": camera.model, DIGEST: camera.fitted_on, UNCERTAINTY: camera.uncertainty}
+        return LoadedCamera(
+            camera.camera, camera.model, camera.size, content={FIT_KEY: what},
+            fitted_on=camera.fitted_on,
+        )  # fmt: skip
     as_camera(camera, "camera")
     return LoadedCamera(camera, str(getattr(camera, "model", type(camera).__name__)), size)
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -31,8 +31,11 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
-from procc_annotator.metrics.projection import clipped_projection_error
+from procc_annotator.metrics.projection import projections_error
 from procc_annotator.metrics.setup import EvaluationSetup
+
+if TYPE_CHECKING:
+    import pandas
 
 AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
 """A camera as a caller has it: of any model, fitted, or read from a file."""
@@ -102,7 +105,7 @@ def evaluated_camera(
         UsageError: as of `camera_at_size`, or projections that the protocol cannot judge.
     """
     found = camera_at_size(camera, setup.size, camera_size, name, field=setup.field)
-    if problem := clipped_projection_error(found.camera, setup):
+    if problem := projections_error(found.camera, setup):
         raise UsageError(f"{name}: {problem}")
     return found
 
@@ -210,6 +213,19 @@ def as_pixels(picture: object) -> PixelArray:
     if min(picture.shape[:2]) < 2:
         raise UsageError(f"the picture of {picture.shape[1]}x{picture.shape[0]} px is too small")
     return bgra_from_bgr(picture) if picture.shape[2] == 3 else picture
+
+
+def dataframe(rows: Sequence[Mapping[str, Any]]) -> pandas.DataFrame:
+    """Rows as a pandas DataFrame.
+
+    Raises:
+        UsageError: pandas is not installed.
+    """
+    try:
+        import pandas
+    except ImportError:
+        raise UsageError("pandas is not installed; the rows are there as dicts") from None
+    return pandas.DataFrame(rows)
 
 
 def kind_of(value: object) -> str:

@@ -18,6 +18,7 @@ from procc_annotator.api.inputs import (
     as_annotation,
     as_field,
     as_optional_size,
+    dataframe,
     evaluated_camera,
     kind_of,
 )
@@ -108,11 +109,7 @@ class SetScore:
         Raises:
             UsageError: pandas is not installed.
         """
-        try:
-            import pandas
-        except ImportError:
-            raise UsageError("pandas is not installed; rows() gives the same as dicts") from None
-        return pandas.DataFrame(self.rows())
+        return dataframe(self.rows())
 
     def mean_curve(self) -> tuple[FloatArray, FloatArray]:
         """The mean JaC of the frames that have a camera, as a function of the threshold.

@@ -34,6 +34,7 @@ from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
     SIDECAR_SUFFIX,
+    UNCERTAINTY,
     LeftOutElement,
     LeftOutResult,
     annotation_digest,
@@ -246,8 +247,8 @@ def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[s
     if fit.camera is None:
         raise ValueError("a failed fit has no camera")
     more: dict[str, Any] = {"image_width": fit.size[0], "image_height": fit.size[1]}
-    if digest is not None:
-        more[FIT_KEY] = {"model": fit.model, DIGEST: digest}
+    known = {} if digest is None else {DIGEST: digest}
+    more[FIT_KEY] = {"model": fit.model, **known, UNCERTAINTY: fit.uncertainty}
     return camera_name(name), write_camera(fit.camera, more)
 
 
@@ -394,6 +395,7 @@ def _fitted_from(annotation: FrameAnnotation, fit: FitResult, field: str) -> dic
         "left_out": list(fit.left_out),
         "mean_residual_px": fit.mean_px,
         "point_sd_px": fit.error_px,
+        UNCERTAINTY: fit.uncertainty,
     }
     if (sd := fit.deviations) is not None:
         known["standard_deviations"] = {

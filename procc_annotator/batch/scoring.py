@@ -31,7 +31,7 @@ from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.strict_json import printable
 from procc_annotator.messages import first_names, list_names
 from procc_annotator.metrics.measurement import Measurement, measure_frames
-from procc_annotator.metrics.projection import clipped_projection_error
+from procc_annotator.metrics.projection import projections_error
 from procc_annotator.metrics.score import FrameScore, score
 from procc_annotator.metrics.sets import AnnotatedExtent, SetAccumulator, annotated_extent
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -394,7 +394,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
             )
         loaded, place = cameras.read(name, setup.field), cameras.display(name)
         camera, scaled = fit_to_size(loaded, setup.size, self.camera_size, setup.unsized)
-        if problem := clipped_projection_error(camera, setup):
+        if problem := projections_error(camera, setup):
             raise CameraError(place, problem)
         return FrameInput(
             name,

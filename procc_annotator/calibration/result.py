@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -38,6 +39,7 @@ from procc_annotator.calibration.optimization.covariance import (
 from procc_annotator.calibration.optimization.observations import ImageFrame, used_point_indices
 from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
 from procc_annotator.calibration.optimization.robust_fit import OUTLIER_PX, CameraSolution
+from procc_annotator.camera.backprojection import ground_covariance
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.translation import translatable, translatable_joined, word
@@ -214,6 +216,66 @@ class FitResult:
             return max_direction_sd(covariance)
         squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
         return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
+
+    def ground_from_px(self, points_px: FloatArray) -> FloatArray:
+        """(N, 2) px of ``size`` -> (N, 2) metres on the ground; NaN for pixels that do not show it,
+        and for all of them without a camera."""
+        if self.camera is None:
+            return np.full((len(points_px), 2), np.nan)
+        return self.camera.ground_from_px(points_px)
+
+    def ground_covariance(self, ground: FloatArray, *, pixel_sd: float = 0.0) -> FloatArray:
+        """Covariance of the ground points that pixels mean.
+
+        To first order: near the horizon, where it comes to many metres, it says that little is
+        known rather than how much.
+
+        Args:
+            ground: (N, 2) metres, world frame: the points, as of `ground_from_px`.
+            pixel_sd: standard deviation, along each axis of the picture, of the pixel itself: 0 for
+                what the camera alone contributes, ``error_px`` for a point clicked as well as those
+                that were fitted.
+
+        Returns:
+            (N, 2, 2) square metres; NaN for points that the camera does not show, and for all of
+            them without a camera.
+        """
+        ground = np.asarray(ground, dtype=np.float64)
+        if self.camera is None:
+            return np.full((len(ground), 2, 2), np.nan)
+        covariance_px = self.projected_covariance(np.column_stack((ground, np.zeros(len(ground)))))
+        return ground_covariance(self.camera, ground, covariance_px + pixel_sd**2 * np.eye(2))
+
+    @property
+    def uncertainty(self) -> dict[str, Any] | None:
+        """Plain numbers that `restored` makes standard deviations of; None for homographies and
+        failed fits."""
+        if self.basis is not None or self.vector is None or self.covariance is None:
+            return None
+        numbers = {"vector": self.vector.tolist(), "covariance": self.covariance.tolist()}
+        return {"size": list(self.size), "pixel_aspect": self.pixel_aspect, **numbers}
+
+    @classmethod
+    def restored(cls, camera: PosedCamera, record: Any) -> FitResult | None:
+        """A fit with its covariance from `uncertainty`, as a file holds it; None if it is none.
+
+        Args:
+            camera: in px of the record's size.
+        """
+        try:
+            width, height, aspect = (float(v) for v in (*record["size"], record["pixel_aspect"]))
+            vector = np.array(record["vector"], dtype=np.float64)
+            covariance = np.array(record["covariance"], dtype=np.float64)
+        except (KeyError, TypeError, ValueError):
+            return None
+        known = np.isfinite((width, height, aspect)).all() and min(width, height, aspect) > 0
+        free = len(covariance) if covariance.ndim == 2 else 0
+        if not known or vector.shape not in ((11,), (13,)) or not 0 < free <= len(vector):
+            return None
+        if covariance.shape != (free, free) or not np.isfinite(covariance).all():
+            return None
+        size = int(width), int(height)
+        return cls("", size, camera, covariance=covariance, vector=vector, pixel_aspect=aspect)
 
     def annotated_sd(self, points_world: FloatArray, normals: FloatArray) -> FloatArray:
         """Standard deviation of where elements are annotated that took no part: of the camera, of

@@ -334,7 +334,7 @@ def _least_step(slopes: FloatArray, off: FloatArray) -> FloatArray:
     return np.asarray((weights.T[:, :, None] * slopes).sum(axis=1))
 
 
-def _ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
+def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
     """(N, 2) metres on the ground that pixels show, from the nearest of the places of a grid; NaN
     where none is found within `MAX_GROUND_DISTANCE_M`."""
     ground = np.full((len(points_px), 2), np.nan)
@@ -409,18 +409,35 @@ def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatA
     points_px = np.asarray(points_px, dtype=np.float64)
     if isinstance(camera, ElementProjections):
         return np.full((len(points_px), 2), np.nan)
-    if isinstance(camera, PinholeCamera | FisheyeCamera):
-        return _intersect_rays_with_ground(camera, points_px)
     if isinstance(camera, ScaledCamera):
         return ground_from_px(camera.camera, points_px / np.array(camera.factors))
     if callable(getattr(camera, "ground_from_px", None)):
         return np.asarray(cast(HomographyCamera, camera).ground_from_px(points_px))
-    return _ground_by_search(camera, points_px)
+    return ground_by_search(camera, points_px)
 
 
-def _intersect_rays_with_ground(
+def ground_covariance(camera: Camera, ground: FloatArray, covariance_px: FloatArray) -> FloatArray:
+    """Covariance of ground points from that of their pixels, to first order.
+
+    Args:
+        camera: any model.
+        ground: (N, 2) metres. covariance_px: (N, 2, 2) or (2, 2) square px.
+
+    Returns:
+        (N, 2, 2) square metres; NaN for points that the camera does not show.
+    """
+    slopes = projection_jacobian(camera, np.column_stack((ground, np.zeros(len(ground)))))[1]
+    with np.errstate(invalid="ignore"):
+        singular = ~(np.abs(np.linalg.det(slopes[:, :, :2])) > 0)  # also NaN
+    by_pixel = np.linalg.inv(np.where(singular[:, None, None], np.eye(2), slopes[:, :, :2]))
+    by_pixel[singular] = np.nan
+    return np.asarray(by_pixel @ covariance_px @ by_pixel.transpose(0, 2, 1))
+
+
+def intersect_rays_with_ground(
     camera: PinholeCamera | FisheyeCamera, points_px: FloatArray
 ) -> FloatArray:
+    """(N, 2) metres, see `ground_from_px`."""
     rays = rays_cam(camera, points_px)
     rotation, position = camera.rotation_cam_from_world, camera.position_world
     with np.errstate(all="ignore"):

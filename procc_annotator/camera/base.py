@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
@@ -57,9 +57,16 @@ class ElementProjections:
 
     Attributes:
         pieces: class name -> its pieces, each (n, 2) px, vertices in order along the element.
+        samples: class name -> (n, 2) px of the points that the official evaluation projects, NaN
+            without a projection; None where only the pieces are known.
+        ground_only: whether the camera knows the plane z = 0 only.
+        field_sha256: fingerprint of the field that was projected; empty where it is not known.
     """
 
     pieces: Mapping[str, tuple[FloatArray, ...]]
+    samples: Mapping[str, FloatArray] | None = None
+    ground_only: bool = False
+    field_sha256: str = ""
 
     def is_clipped(self, size: tuple[int, int]) -> bool:
         """Return whether pieces end at the border of a picture of (width, height) px and none goes
@@ -68,6 +75,8 @@ class ElementProjections:
         What a camera shows ends there by chance only. Programs cut at the centres of the last
         pixels, or, as the official evaluation does, at width and height.
         """
+        if self.samples is not None:
+            return False
         pieces = [px for parts in self.pieces.values() for px in parts if len(px)]
         if not pieces:
             return False
@@ -83,9 +92,9 @@ class ElementProjections:
         factors = np.array(
             [(to_size[0] - 1) / (from_size[0] - 1), (to_size[1] - 1) / (from_size[1] - 1)]
         )
-        return ElementProjections(
-            {name: tuple(p * factors for p in parts) for name, parts in self.pieces.items()}
-        )
+        pieces = {name: tuple(p * factors for p in parts) for name, parts in self.pieces.items()}
+        samples = self.samples and {name: px * factors for name, px in self.samples.items()}
+        return replace(self, pieces=pieces, samples=samples)
 
 
 CameraOrProjections = Camera | ElementProjections

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.camera.backprojection import ground_by_search
 from procc_annotator.camera.base import (
     Camera,
     CameraOrProjections,
@@ -61,6 +62,13 @@ class ValidatedCamera:
             UsageError: what the camera returns is no projection of the points.
         """
         return self._asked(self.camera.project, points_world)
+
+    def ground_from_px(self, points_px: FloatArray) -> FloatArray:
+        """(N, 2) px -> (N, 2) metres on the ground within 300 m of the field's centre, by the
+        camera's own way back or by a numerical search; NaN for pixels that do not show it."""
+        if callable(own := getattr(self.camera, "ground_from_px", None)):
+            return np.asarray(own(points_px), np.float64)
+        return ground_by_search(self, np.asarray(points_px, np.float64))
 
     def scaled(self, from_size: Size, to_size: Size) -> CameraOrProjections:
         """The same camera for another picture size."""

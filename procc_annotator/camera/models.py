@@ -44,6 +44,14 @@ class _PosedCamera:
         """(3, 3) world -> camera rotation."""
         return rotation_cam_from_world(self.pan_rad, self.tilt_rad, self.roll_rad)
 
+    def ground_from_px(self, points_px: FloatArray) -> FloatArray:
+        """(N, 2) px -> (N, 2) metres on the ground, z = 0; NaN at and beyond the horizon, behind
+        the camera and outside the lens model's domain."""
+        from procc_annotator.camera import backprojection  # which needs these classes
+
+        assert isinstance(self, PinholeCamera | FisheyeCamera)
+        return backprojection.intersect_rays_with_ground(self, np.asarray(points_px, np.float64))
+
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> Self:
         """The same camera for another picture size (pixel centres: factors (W'-1)/(W-1))."""
         sx = (to_size[0] - 1) / (from_size[0] - 1)

@@ -211,6 +211,7 @@ COMMANDS = (
         "export",
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
+    LazyCommand("ground", "Find the metres on the ground of pixels in a table, or the way back."),
     LazyCommand("convert", "Write annotations or cameras in another format."),
     LazyCommand(
         "propose-map",

@@ -6,7 +6,6 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import typer
 
 from procc_annotator.arrays import FloatArray
@@ -15,11 +14,10 @@ from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import UsageError
 from procc_annotator.figures.top_view import TopViewPainter
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.csv_tables import read_table
-from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.formats.point_tables import PointTable, read_rows
 from procc_annotator.messages import list_names, pluralize
 from procc_annotator.report.overlay_scene import (
     SUFFIXES,
@@ -197,17 +195,13 @@ def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]
     """Frame name -> (N, 2) metres, of a table of ``ground``."""
     if path is None:
         return {}
-    names = FrameTable((frame.name, frame.name) for frame in workspace.frames)
-    found: dict[str, list[tuple[float, float]]] = {}
-    advice = "expected a table of ground: columns frame, x_m, y_m"
-    for line, row in read_table(path, ("frame", "x_m", "y_m"), advice)[1]:
-        name = names.get(row["frame"])
-        if name is None or not (row["x_m"] and row["y_m"]):
-            continue
-        try:
-            found.setdefault(name, []).append((float(row["x_m"]), float(row["y_m"])))
-        except ValueError as error:
-            raise InputError(path, str(error), place=f"line {line}", advice=advice) from error
+    table = PointTable.of(read_rows(path), path, metres=True)
+    rows: dict[str, list[int]] = {}
+    for row, frame in enumerate(table.frames):
+        at = workspace.index.get(frame)
+        if at is not None:
+            rows.setdefault(workspace.frames[at].name, []).append(row)
+    found = {name: table.places[chosen] for name, chosen in rows.items()}
     if not found:
         raise UsageError(f"{path}: no position is of a frame of {workspace.root}")
-    return {name: np.array(points) for name, points in found.items()}
+    return found

@@ -10,7 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import BoolArray, FloatArray, IntArray
-from procc_annotator.camera.base import Camera, CameraOrProjections, projects_only_ground
+from procc_annotator.camera.base import (
+    CameraOrProjections,
+    ElementProjections,
+    projects_only_ground,
+)
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.messages import pluralize
@@ -23,13 +27,13 @@ class _Float32Camera(Protocol):
 
 
 def official_polylines(
-    cameras: Sequence[Camera], tables: FieldTables, size: tuple[int, int]
+    cameras: Sequence[CameraOrProjections], tables: FieldTables, size: tuple[int, int]
 ) -> Polylines:
     """Project the official samples and keep what the official evaluation calls visible.
 
     Args:
-        cameras: at least one; ``project_float32`` is used of those that have one (the official
-            code rounds so).
+        cameras: at least one; projections have these samples; ``project_float32`` is used of
+            cameras that have one (the official code rounds so).
         tables: the field's official samples; there are none of optional elements.
         size: (width, height) px; inside means 0 <= x < width and 0 <= y < height.
 
@@ -37,7 +41,7 @@ def official_polylines(
         One piece an element, px, also across gaps; what the cameras show one after the other, as
         `Polylines.joined` has it.
     """
-    shown = [_project_float32(camera, tables) for camera in cameras]
+    shown = [project_samples(camera, tables) for camera in cameras]
     elements = len(tables.names)
     first_row = np.repeat(np.arange(len(shown)) * elements, len(tables.element_of_sample))
     return visible_polylines(
@@ -49,8 +53,19 @@ def official_polylines(
     )
 
 
-def _project_float32(camera: Camera, tables: FieldTables) -> tuple[FloatArray, BoolArray]:
+def project_samples(
+    camera: CameraOrProjections, tables: FieldTables
+) -> tuple[FloatArray, BoolArray]:
+    """(N, 2) px of the official samples and (N,) which of them have a projection."""
     points = tables.points_world
+    if isinstance(camera, ElementProjections):
+        counts = np.bincount(tables.element_of_sample, minlength=len(tables.names)).tolist()
+        of_names = zip(tables.names, counts, strict=True)
+        known = camera.samples or {}
+        parts = [known.get(n, np.full((count, 2), np.nan)) for n, count in of_names]
+        points_px = np.concatenate(parts)
+        found: BoolArray = np.asarray(np.isfinite(points_px).all(axis=1))
+        return points_px, found
     if hasattr(camera, "project_float32"):
         points_px, valid = cast(_Float32Camera, camera).project_float32(points)
     else:

@@ -14,10 +14,15 @@ from procc_annotator.camera.base import (
     ElementProjections,
     projects_only_ground,
 )
+from procc_annotator.errors import UsageError
 from procc_annotator.field.markings import marking_field
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.curve_projection import project_curves
-from procc_annotator.metrics.official import official_polylines, visible_polylines
+from procc_annotator.metrics.official import (
+    official_polylines,
+    project_samples,
+    visible_polylines,
+)
 from procc_annotator.metrics.polylines import Chords, ClippedPolylines, Polylines, clip_chords
 from procc_annotator.metrics.setup import EvaluationSetup
 
@@ -177,19 +182,22 @@ def _project_all(
 
 
 def _project_official(cameras: Sequence[CameraOrProjections], setup: EvaluationSetup) -> Polylines:
-    real = [camera for camera in cameras if not isinstance(camera, ElementProjections)]
-    if len(real) == len(cameras):
-        return official_polylines(real, setup.tables, setup.size)
+    if not any(map(_has_pieces_only, cameras)):
+        return official_polylines(cameras, setup.tables, setup.size)
     return Polylines.joined(
         [
             clip_given_official(camera, setup.field, setup.size).of_elements(
                 setup.tables.is_official
             )
-            if isinstance(camera, ElementProjections)
+            if isinstance(camera, ElementProjections) and camera.samples is None
             else official_polylines([camera], setup.tables, setup.size)
             for camera in cameras
         ]
     )
+
+
+def _has_pieces_only(camera: CameraOrProjections) -> bool:
+    return isinstance(camera, ElementProjections) and camera.samples is None
 
 
 def _project_exact(camera: CameraOrProjections, setup: EvaluationSetup) -> ClippedPolylines:
@@ -242,10 +250,51 @@ def project_measured(
     return {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()}
 
 
-def clipped_projection_error(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
-    """Why projections cannot be judged by a protocol that measures beyond the picture; empty if
-    they can."""
-    if setup.is_official or not isinstance(camera, ElementProjections):
+def complete_projections(
+    camera: CameraOrProjections, setup: EvaluationSetup, frame: str
+) -> ElementProjections:
+    """All that both protocols need of a camera: the same counts and distances at ``setup.size``.
+
+    Under ``procc`` curves are chords that stay within 0.0025 px of them, of the elements that have
+    a part in the picture, as far as the camera has a projection but no farther from the picture
+    than its width and height together.
+
+    Args:
+        camera: in px of ``setup.size``.
+        setup: field and size. frame: its name.
+
+    Raises:
+        UsageError: these are pieces only, without the official samples.
+    """
+    if _has_pieces_only(camera):
+        raise UsageError("projected polylines alone lack the points of the official evaluation")
+    if isinstance(camera, ElementProjections):
+        return camera
+    of_frame = setup.of_frame(frame)
+    tables, names = of_frame.tables, np.array(of_frame.tables.names)
+    px, valid = project_samples(camera, tables)
+    px = np.where(valid[:, None], px, np.nan)
+    rows = np.unique(tables.element_of_sample)
+    whole = project_curves(camera, of_frame.field, of_frame.curves, setup.size).unclipped
+    return ElementProjections(
+        {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()},
+        {str(names[row]): px[tables.element_of_sample == row] for row in rows.tolist()},
+        projects_only_ground(camera),
+        setup.field_sha256,
+    )
+
+
+def projections_error(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
+    """Why projections cannot be judged: of another field, or by a protocol that measures beyond the
+    picture; empty if they can."""
+    if not isinstance(camera, ElementProjections):
+        return ""
+    if camera.field_sha256 and camera.field_sha256 != setup.field_sha256:
+        return (
+            "is the projection of another field, or of other dimensions: expected"
+            f" {setup.field.described}; write it again with save_projection(..., field=...)"
+        )
+    if setup.is_official:
         return ""
     if not camera.is_clipped(setup.size):
         return ""

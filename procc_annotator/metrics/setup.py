@@ -13,7 +13,7 @@ import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.errors import UsageError
-from procc_annotator.field.load import default_field_name, field_for_frame
+from procc_annotator.field.load import default_field_name, field_fingerprint, field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_official
 from procc_annotator.messages import pluralize
@@ -127,6 +127,12 @@ class EvaluationSetup:
         return self._of_field.tables
 
     @property
+    def field_sha256(self) -> str:
+        """Return the fingerprint of the field, computed once."""
+        assert self._of_field is not None
+        return self._of_field.fingerprint
+
+    @property
     def curves(self) -> ElementCurves:
         """The elements as parametric curves, for the ``procc`` protocol."""
         assert self._of_field is not None
@@ -149,6 +155,10 @@ class _FieldCache:
     @cached_property
     def tables(self) -> FieldTables:
         return FieldTables.of(self.field)
+
+    @cached_property
+    def fingerprint(self) -> str:
+        return field_fingerprint(self.field)
 
     @cached_property
     def curves(self) -> ElementCurves:

@@ -31,7 +31,7 @@ from procc_annotator.formats.atomic import make_folder, open_replacing
 from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.formats.file_source import open_source
-from procc_annotator.metrics.projection import clipped_projection_error
+from procc_annotator.metrics.projection import projections_error
 from procc_annotator.metrics.sets import SetAccumulator, SetSummary, annotated_extent
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.outputs import Target, is_archive, open_target
@@ -302,7 +302,7 @@ def _input(
     place: str,
     setup: EvaluationSetup,
 ) -> FrameInput:
-    problem = clipped_projection_error(loaded.camera, setup)
+    problem = projections_error(loaded.camera, setup)
     if why := field_mismatch(loaded.assumed_field, setup.field):
         problem = f"{why} ({NAME_THE_FORMAT})"
     if problem:

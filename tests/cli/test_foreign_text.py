@@ -42,6 +42,8 @@ def evil(dataset, tmp_path) -> Path:
 def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
     annotations, cameras, second = evil / "annotations", evil / "cameras", out / EVIL
     shutil.copytree(annotations, second / "annotations")
+    points = out / "points.csv"
+    points.write_text(f"frame,x,y,{EVIL}\n{EVIL},1,2,{EVIL}\n{EVIL}1,1,2,3\n")
     return {
         "evaluate": [annotations, cameras, "--output", out / "e.csv", "--intervals"],
         "agree": [second / "annotations", "--reference", evil],
@@ -52,6 +54,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
         "check": [evil],
         "field-size": [evil],
         "export": [evil, out / "ex"],
+        "ground": [points, "--cameras", cameras, "--pixel-sd", "1"],
         "convert": [annotations, out / "c.json", "--to", "coco"],
         "propose-map": [annotations, out / "map.toml"],
         "release": [evil, out / "rel", "--name", EVIL, "--second-annotator", second, "--no-check"],

@@ -175,7 +175,7 @@ def test_a_top_view_has_the_field_where_it_is(cli, dataset, tmp_path):
         (dataset.root / f"{name}.jpg").unlink()
     cv2.imwrite(str(dataset.root / "3.jpg"), np.where(white, 255, 60).astype(np.uint8))
     positions = tmp_path / "positions.csv"
-    positions.write_text("frame,x_m,y_m\n3,-10,20\n3,,\n")
+    positions.write_text("frame,X,Y\n3,-10,20\n3,,\n")
     out, table = tmp_path / "field.png", ("--positions", positions)
     cli("render", dataset.root, out, "--cameras", dataset.cameras, "--top-view", *table)
     drawn = cv2.imread(str(out)).astype(int)

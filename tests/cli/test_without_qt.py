@@ -94,6 +94,7 @@ def test_every_command_does_its_work(dataset, sample_data, tmp_path):
     shape = '<polyline label="halfway line" points="0.0,0.0;10.0,10.0"></polyline>'
     image = f'<image id="0" name="1.jpg" width="960" height="540">{shape}</image>'
     (tmp_path / "named.xml").write_text(f"<annotations>{image}</annotations>")
+    (tmp_path / "points.csv").write_text("frame,x,y\n2,1,2\n")
     (tmp_path / "gold.csv").write_text("frame\n1\n2\n")
     runpy.run_path(str(ROOT / "docs/examples/three_views.py"))["make_dataset"](tmp_path / "views")
     tree, others = sample_data / "cameras" / "true", dataset.annotations
@@ -112,6 +113,7 @@ def test_every_command_does_its_work(dataset, sample_data, tmp_path):
         ["field-size", root],
         ["triangulate", tmp_path / "views"],
         ["export", root, tmp_path / "out.zip"],
+        ["ground", tmp_path / "points.csv", "--cameras", cameras],
         ["convert", root, tmp_path / "match.xml", "--to", "cvat"],
         ["convert", cameras, tmp_path / "sub.zip", "--to", "submission"],
         ["propose-map", tmp_path / "named.xml"],

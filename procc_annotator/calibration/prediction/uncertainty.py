@@ -147,45 +147,10 @@ class GroundUncertainty:
         return np.outer(_sample_lengths(self.ys_m), _sample_lengths(self.xs_m))
 
 
-def ground_covariance(fit: FitResult, ground: FloatArray, *, click_px: float = 0.0) -> FloatArray:
-    """Covariance of the ground points that pixels mean to a fit.
-
-    To first order, as explained above: near the horizon, where it comes to many metres, it says
-    that little is known rather than how much.
-
-    Args:
-        fit: the camera with its covariance.
-        ground: (N, 2) metres, world frame: the points; a pixel's own is found with
-            `camera.backprojection.ground_from_px`.
-        click_px: standard deviation, along each axis of the picture, of the pixel itself: 0 for
-            what the camera alone contributes, ``fit.error_px`` for a point clicked as well as those
-            that were fitted.
-
-    Returns:
-        (N, 2, 2) square metres; NaN for points that the camera does not show, and for all of them
-        without a camera.
-    """
-    ground = np.asarray(ground, dtype=np.float64)
-    found = np.full((len(ground), 2, 2), np.nan)
-    if fit.camera is None:
-        return found
-    world = np.column_stack((ground, np.zeros(len(ground))))
-    px, shown = fit.camera.project(world)
-    shown &= np.isfinite(px).all(axis=1)
-    covariance_px = fit.projected_covariance(world[shown])
-    covariance_px += click_px**2 * np.eye(2)
-    by_ground = projection_jacobian(fit.camera, world[shown])[1][:, :, :2]
-    singular = ~(np.abs(np.linalg.det(by_ground)) > 0)  # also NaN
-    by_pixel = np.linalg.inv(np.where(singular[:, None, None], np.eye(2), by_ground))
-    by_pixel[singular] = np.nan
-    found[shown] = by_pixel @ covariance_px @ by_pixel.transpose(0, 2, 1)
-    return found
-
-
 def ground_sd(fit: FitResult, ground: FloatArray, *, click_px: float = 0.0) -> FloatArray:
     """(N,) metres: the standard deviation in the worst direction, the square root of the larger
-    eigenvalue of `ground_covariance`; NaN likewise."""
-    return max_direction_sd(ground_covariance(fit, ground, click_px=click_px))
+    eigenvalue of `FitResult.ground_covariance`; NaN likewise."""
+    return max_direction_sd(fit.ground_covariance(ground, pixel_sd=click_px))
 
 
 def map_ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:

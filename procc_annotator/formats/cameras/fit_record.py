@@ -35,6 +35,7 @@ MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION, TOO_CLOSE)
 FRAME_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version", "independence_p")
 FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version", "too_close_to_clicks")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
+UNCERTAINTY = "uncertainty"  # among that: vector and covariance of its parameters
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
 SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it

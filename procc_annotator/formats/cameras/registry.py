@@ -38,6 +38,7 @@ from procc_annotator.formats.cameras.opencv import is_storage, read_opencv
 from procc_annotator.formats.cameras.paired_files import PAIRED_FORMATS, raise_half_of_pair
 from procc_annotator.formats.cameras.plugins import load_plugin_formats
 from procc_annotator.formats.cameras.polylines import (
+    is_whole,
     looks_like_points,
     polylines_from,
     polylines_records,
@@ -153,8 +154,7 @@ JSON_FORMATS = (
     ),
     JsonFormat("krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"),
     JsonFormat(
-        "polylines", "projected polylines, JSON", polylines_from,
-        polylines_records, lambda _: False,
+        "polylines", "projected polylines, JSON", polylines_from, polylines_records, is_whole,
     ),
     JsonFormat(
         "projection", "3 x 4 projection matrix", projection_from,

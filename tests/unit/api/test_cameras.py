@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from procc_annotator import (
+    FisheyeCamera,
+    FitResult,
     MatrixCamera,
     PinholeCamera,
     UsageError,
@@ -18,10 +20,12 @@ from procc_annotator import (
     disagreement,
     evaluate,
     evaluate_set,
+    fit_camera,
     jac_curve,
     load_annotation,
     load_camera,
     project_field,
+    save_camera,
 )
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.matrices import calibration_matrix, translation
@@ -254,3 +258,36 @@ def test_a_matrix_camera_travels():
     assert [a.tolist() for a in again.project(PLACES)] == [
         a.tolist() for a in camera.project(PLACES)
     ]
+
+
+BENT = replace(CAMERA, radial=(-0.12, 0.02, 0, 0, 0, 0), tangential=(0.001, 0.002))
+FISHEYE = FisheyeCamera(
+    0.3, np.deg2rad(77), 0.01, (3.0, 62.0, -17.0), (900.0, 900.0), (479.5, 269.5), (0.05, 0, 0, 0)
+)
+
+
+@pytest.mark.parametrize(
+    "camera",
+    [
+        CAMERA, BENT, FISHEYE, camera_from_projection(P @ np.diag((1, 1, 1, 1.0))),
+        camera_from_homography(P[:, [0, 1, 3]], SIZE), camera_from_function(BENT.project),
+        camera_from_function(lambda points: FISHEYE.project(points)[0]),
+    ],
+)  # fmt: skip
+def test_every_camera_goes_back_to_the_ground(camera):
+    px = np.array([(100.0, 200.0), (480.0, 270.0), (900.0, 500.0), (480.0, -3000.0)])
+    ground = camera.ground_from_px(px)
+    assert np.isfinite(ground).all(axis=1).tolist() == [True, True, True, False]
+    there = np.column_stack((ground[:3], np.zeros(3)))
+    np.testing.assert_allclose(camera.project(there)[0], px[:3], atol=1e-4)
+
+
+def test_a_fit_knows_how_surely_it_goes_back_also_from_its_file(sample_data, tmp_path):
+    fit = fit_camera(load_annotation(sample_data / "00002.json"))
+    ground = fit.ground_from_px(np.array([(480.0, 300.0), (480.0, 5.0)]))
+    alone, clicked = (fit.ground_covariance(ground, pixel_sd=sd)[0] for sd in (0.0, 2.0))
+    assert 0 < alone[0, 0] < clicked[0, 0] < 4
+    save_camera(fit, tmp_path / "camera_00002.json")
+    read = load_camera(tmp_path / "camera_00002.json")
+    again = FitResult.restored(read.camera, read.extra["fit"]["uncertainty"])
+    np.testing.assert_allclose(again.ground_covariance(ground)[0], alone, rtol=1e-6)

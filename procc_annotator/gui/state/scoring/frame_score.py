@@ -20,8 +20,8 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.measurement import Measurement, measure_projected
 from procc_annotator.metrics.projection import (
     ProjectedField,
-    clipped_projection_error,
     project_field,
+    projections_error,
 )
 from procc_annotator.metrics.score import FrameScore, display_score
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -61,7 +61,7 @@ def find_camera(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) ->
         return SourceFrame(notice=camera_set.why_none(frame))
     if problem := field_mismatch(found.assumed_field, setup.field):
         return SourceFrame(error=f"{frame}: {problem} ({NAME_THE_FORMAT})")
-    if problem := clipped_projection_error(found.camera, setup):
+    if problem := projections_error(found.camera, setup):
         return SourceFrame(error=f"{frame}: {problem}")
     return SourceFrame(
         found.camera, found.model, notice=found.notice or "", fitted_on=found.fitted_on

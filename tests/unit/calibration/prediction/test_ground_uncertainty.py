@@ -21,7 +21,6 @@ from procc_annotator.calibration.optimization.residuals import homographies_from
 from procc_annotator.calibration.prediction.uncertainty import (
     ACCURACY_LEVELS_M,
     GroundUncertainty,
-    ground_covariance,
     ground_sd,
     map_ground_uncertainty,
 )
@@ -67,7 +66,7 @@ def test_from_above_every_parameter_has_a_closed_form():
         ({"pan": 0.002}, RADIUS * 0.002),
     ):
         np.testing.assert_allclose(ground_sd(straight_down(**sds), GROUND), expected, atol=1e-6)
-    turned = ground_covariance(straight_down(pan=0.002), GROUND[1:2])[0]
+    turned = straight_down(pan=0.002).ground_covariance(GROUND[1:2])[0]
     across = np.array([-0.8, 0.6])  # about the nadir, so across the ray to the point
     np.testing.assert_allclose(turned, (RADIUS[1] * 0.002) ** 2 * np.outer(across, across), 1e-5)
 

@@ -1,0 +1,124 @@
+"""``procc-annotator ground``: tables of pixels to metres and back, with what each row can know."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+from procc_annotator import (
+    UsageError,
+    fit_camera,
+    load_annotation,
+    load_camera,
+    to_ground,
+    to_pixels,
+)
+from tests.cli.conftest import camera_file, rows_in
+
+
+@pytest.fixture
+def cameras(tmp_path):
+    folder = tmp_path / "cameras"
+    folder.mkdir()
+    for name, pan in (("000003", 0.0), ("000010", 20.0)):
+        (folder / f"camera_{name}.json").write_text(json.dumps(camera_file(pan)))
+    return folder
+
+
+def expected(cameras, x, y, name="000003"):
+    loaded = load_camera(cameras / f"camera_{name}.json")
+    return loaded.camera.ground_from_px(np.array([(x, y)]))[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.csv", "frame,x,y\n3,420,300\n"),
+        ("a.csv", "frame;x;y;w;h\n000003.jpg;400;210;40;90\n"),
+        ("a.csv", "image,x1,y1,x2,y2\nimages/000003.png,400,210,440,300\n"),
+        ("gt.txt", "3,7,400,210,40,90,1,-1,-1,-1\n"),
+        ("a.json", '[{"frame": 3, "bbox": [400, 210, 40, 90], "note": {"a": 1}}]'),
+        ("a.json", '{"images": [{"id": 5, "file_name": "000003.jpg"}], "annotations":'
+                   ' [{"image_id": 5, "bbox": [400, 210, 40, 90]}]}'),
+    ],
+)  # fmt: skip
+def test_points_boxes_and_mot_files_are_placed_by_the_camera_of_their_number(
+    cli, cameras, tmp_path, name, content
+):
+    points, out = tmp_path / name, tmp_path / "out.csv"
+    points.write_text(content)
+    assert (
+        "1 of 1 row placed, 1 on the field"
+        in cli("ground", points, "--cameras", cameras, "-o", out).stderr
+    )
+    (row,) = rows_in(out)
+    np.testing.assert_allclose(
+        (float(row["X"]), float(row["Y"])), expected(cameras, 420, 300), atol=1e-4
+    )
+    back = to_pixels(out, cameras).rows[0]
+    assert (back["x"], back["y"]) == pytest.approx((420, 300), abs=0.02)
+
+
+def test_rows_without_a_place_stay_and_are_counted_with_their_reason(cli, cameras, tmp_path):
+    points = tmp_path / "points.csv"
+    points.write_text("frame,id,x,y\n3,007,420,300\n3,8,420,-900\n4,9,1,1\n10,10,,5\n")
+    done = cli("ground", points, "--cameras", cameras)
+    rows = list(csv.DictReader(done.stdout.splitlines()))
+    assert [(row["id"], row["on_field"]) for row in rows] == [
+        ("007", "true"),
+        ("8", ""),
+        ("9", ""),
+        ("10", ""),
+    ]
+    for reason in ("horizon", "no camera", "empty cells"):
+        assert f"no place for 1 row: {reason}" in done.stderr.replace("at or above the ", "")
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        ("frame,a\n1,2\n", "expected frame and x, y or a box"),
+        ("frame,x,y\n3,left,300\n", "row 1: expected numbers under x, y"),
+        ("frame,x,y\n3,1\n", "has 2 cells"),
+    ],
+)
+def test_a_table_that_cannot_be_used_is_refused_with_the_place(
+    cli, cameras, tmp_path, content, says
+):
+    points = tmp_path / "points.csv"
+    points.write_text(content)
+    assert says in cli("ground", points, "--cameras", cameras, code=2).stderr
+    with pytest.raises(UsageError, match="unknown axes"):
+        to_ground([{"frame": 3, "x": 1, "y": 2}], cameras, axes="down")
+
+
+@pytest.mark.parametrize("axes", ["field", "up", "corner", "metrica"])
+def test_axes_and_the_way_back(cameras, axes):
+    rows = [{"frame": 3, "x": 420, "y": 300}]
+    x, y = expected(cameras, 420, 300)
+    found = to_ground(rows, cameras, axes=axes)
+    there = {
+        "field": (x, y),
+        "up": (x, -y),
+        "corner": (x + 52.5, y + 34),
+        "metrica": (x / 105 + 0.5, y / 68 + 0.5),
+    }
+    assert (found.rows[0]["X"], found.rows[0]["Y"]) == pytest.approx(there[axes], abs=1e-4)
+    positions = [{key: row[key] for key in ("frame", "X", "Y")} for row in found.rows]
+    assert to_pixels(positions, cameras, axes=axes).rows[0]["x"] == pytest.approx(420, abs=0.5)
+
+
+def test_standard_deviations_by_the_camera_and_by_the_pixel(sample_data, cli, tmp_path):
+    fit = fit_camera(load_annotation(sample_data / "00002.json"))
+    rows = [{"frame": "00002", "x": 480.0, "y": 300.0}]
+    cli("calibrate", sample_data, tmp_path / "fits")
+    ground = fit.ground_from_px(np.array([(480.0, 300.0)]))
+    for sd, cameras in ((None, {"00002": fit}), (2.0, lambda _: fit), (2.0, tmp_path / "fits")):
+        row = to_ground(rows, cameras, pixel_sd=sd, size=fit.size).rows[0]
+        variance = fit.ground_covariance(ground, pixel_sd=sd or 0.0)[0]
+        assert row["sigma_x"] == pytest.approx(variance[0, 0] ** 0.5, rel=0.05, abs=1e-4)
+    assert "sigma_x" not in to_ground(rows, sample_data / "cameras" / "bad").rows[0]
+    alone = to_ground(rows, sample_data / "cameras" / "bad", pixel_sd=1.0)
+    assert alone.rows[0]["sigma_x"] > 0
+    assert "pixels alone" in alone.notes[0]
