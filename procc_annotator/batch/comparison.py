@@ -39,6 +39,7 @@ from procc_annotator.metrics.statistics.intervals import (
     bootstrap,
     confidence_intervals,
     quantile_confidence_interval,
+    with_rule_of_three,
 )
 from procc_annotator.metrics.statistics.significance import (
     PairedDifference,
@@ -318,7 +319,9 @@ def metrics_with_intervals(
     counted = (ratios.denominators > 0).sum(axis=0)
     return {
         key: MetricWithInterval(
-            _with_interval(sampled.values[k]), _possible(key, ends[k]), int(counted[k])
+            _with_interval(sampled.values[k]),
+            _possible(key, ends[k], float(sampled.effective[k])),
+            int(counted[k]),
         )
         for k, key in enumerate(KEYS)
     }
@@ -362,10 +365,12 @@ def closer_source(
     return dict(zip(KEYS, corrected_for(found), strict=True))
 
 
-def _possible(key: str, interval: Interval | None) -> Interval | None:
+def _possible(key: str, interval: Interval | None, clusters: float) -> Interval | None:
     """No distance is below 0, and no share above 1."""
     if interval is None:
         return None
+    if key in SHARES:
+        interval = with_rule_of_three(interval, clusters)
     high = min(1.0, interval.high) if key in SHARES else interval.high
     return replace(interval, low=max(0.0, interval.low), high=high)
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.arrays import BoolArray, FloatArray
-from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose, pose_in_degrees
+from procc_annotator.batch.audit import TAU_GRID, FrameAudit
 from procc_annotator.batch.grouping import FrameOrder, clusters_of
 from procc_annotator.batch.scoring import Evaluated
 from procc_annotator.formats.cameras.fit_record import (
@@ -132,7 +132,6 @@ class FrameSums:
         curve: JaC at each of `TAU_GRID`, float32; None without a camera.
         elements: how many elements are annotated.
         spread: the share of the picture that their points enclose; None where there are none.
-        pose: of the camera; None without one, or where its model has none.
         model: of the camera; empty without one.
         moved: (R, T + S) JaC with all points moved R times, at each threshold and each of
             `SPARSE_TAUS`; None unless it was asked for.
@@ -146,7 +145,6 @@ class FrameSums:
     figures: FloatArray
     curve: NDArray[np.float32] | None
     elements: int = 0
-    pose: Pose | None = None
     model: str = ""
     moved: NDArray[np.float32] | None = None
     fitted: FitCounts = NOT_FITTED
@@ -177,7 +175,6 @@ def frame_sums(
         np.array([_figures(result.scores[tau]) for tau in thresholds]),
         jac_curve(measurement, TAU_GRID).astype(np.float32),
         elements,
-        pose_in_degrees(evaluated.camera),
         evaluated.model,
         moved,
         result.fitted,

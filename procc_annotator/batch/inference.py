@@ -27,6 +27,7 @@ from procc_annotator.metrics.statistics.intervals import (
     confidence_intervals,
     curve_band,
     normal_ppf,
+    with_rule_of_three,
 )
 from procc_annotator.metrics.statistics.significance import (
     PairedDifference,
@@ -151,11 +152,11 @@ class Inference:
         keys = [(key, tau) for key in RATIOS for tau in self.thresholds]
         # All sources at once: drawing sets costs more than what is summed over them.
         every = [source.ratios(key) for source in self.sources for key in RATIOS]
-        ends = iter(
-            confidence_intervals(self._sampled(RatioMetrics.beside(every)), self.draws, self.method)
-        )
+        sampled = self._sampled(RatioMetrics.beside(every))
+        ends = confidence_intervals(sampled, self.draws, self.method)
+        found = iter(zip(ends, sampled.effective.tolist(), strict=True))
         return tuple(
-            {(key, tau): _possible(key, next(ends)) for key, tau in keys} for _ in self.sources
+            {(key, tau): _possible(key, *next(found)) for key, tau in keys} for _ in self.sources
         )
 
     @cached_property
@@ -208,18 +209,26 @@ class Inference:
         if not counts.any():
             return None
         sides = [RatioMetrics(side, counts) for side in passed]
-        found = self._paired(sides[0], sides[1])
+        found = self._paired(sides[0], sides[1], [True] * shape[1])
         shares = passed.sum(axis=1) / counts.sum(axis=0)
         values = zip(self.thresholds, shares[0].tolist(), shares[1].tolist(), found, strict=True)
         return HeldOutPair(
             a, b, int(counts[:, 0].sum()), {tau: (of_a, of_b, d) for tau, of_a, of_b, d in values}
         )
 
-    def _paired(self, a: RatioMetrics, b: RatioMetrics) -> list[PairedDifference]:
+    def _paired(
+        self, a: RatioMetrics, b: RatioMetrics, shares: Sequence[bool]
+    ) -> list[PairedDifference]:
         columns = a.parts.shape[1]
         both = self._sampled(RatioMetrics.beside([a, b]))
         pair = both.at(slice(0, columns)), both.at(slice(columns, None))
-        return paired_differences(a, b, pair, self.clusters.numbers, self.draws, self.method)
+        found = paired_differences(a, b, pair, self.clusters.numbers, self.draws, self.method)
+        return [
+            replace(one, interval=with_rule_of_three(one.interval, one.effective))
+            if one.interval is not None and is_share
+            else one
+            for one, is_share in zip(found, shares, strict=True)
+        ]
 
     def differences(self, key: str, tau: float) -> dict[tuple[int, int], PairedDifference]:
         """Of every two sources, by their places."""
@@ -333,12 +342,12 @@ class Inference:
     def _pair(self, a: int, b: int) -> MethodPair:
         shared = self._shared(a, b)
         sides = [self._compared(self.sources[at], shared) for at in (a, b)]
-        found = self._paired(sides[0], sides[1])
+        keys = [(key, tau) for key in COMPARED for tau in self.thresholds]
+        found = self._paired(sides[0], sides[1], [RATIOS[key].better > 0 for key, _ in keys])
         if not {a, b} <= set(self.methods):  # fits explain the clicks: nothing to test
             found = [
                 replace(one, interval=None, deviation=None, p=None, corrected=None) for one in found
             ]
-        keys = [(key, tau) for key in COMPARED for tau in self.thresholds]
         return MethodPair(
             a,
             b,
@@ -360,11 +369,13 @@ class Inference:
         return tuple(np.array(self.sources[a].names, dtype=object)[own])
 
 
-def _possible(key: str, interval: Interval | None) -> Interval | None:
-    """No share is below 0 or above 1, and no error below 0."""
+def _possible(key: str, interval: Interval | None, clusters: float) -> Interval | None:
+    """No share is below 0 or above 1, and no error below 0; no share is known exactly."""
     if interval is None:
         return None
-    highest = 1.0 if RATIOS[key].better > 0 else interval.high
+    highest = interval.high
+    if RATIOS[key].better > 0:
+        interval, highest = with_rule_of_three(interval, clusters), 1.0
     return replace(interval, low=max(0.0, interval.low), high=min(highest, interval.high))
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
-from statistics import median
 
 import numpy as np
 from natsort import natsorted
@@ -20,6 +19,7 @@ from procc_annotator.metrics.ground_plane import field_rectangle
 from procc_annotator.metrics.statistics.significance import PairedDifference, corrected_for
 
 ZOOM, ELEMENTS, SPREAD, SIDE = "zoom", "elements", "spread", "side"
+POSED = (ZOOM, SIDE)  # by the cameras of `reference_poses`
 DERIVED = (ZOOM, ELEMENTS, SPREAD, SIDE, SHOT)
 _PARTS = (1 / 3, 2 / 3)
 
@@ -79,29 +79,30 @@ def values_of_frames(
     field: Field,
     tags: Mapping[str, str | None],
     order: FrameOrder | None = None,
+    poses: Mapping[str, Pose | None] | None = None,
 ) -> list[str | None]:
-    """The value of each frame.
+    """The value of each frame; which methods are compared matters for `MODEL` alone.
 
     Args:
         by: a tag, one of `DERIVED`, or `MODEL`. A tag that is called as one of `DERIVED` counts:
             anyone who gives it means it.
-        sources: over the same frames; poses are the median of theirs, so that zoom and side depend
-            on which sources these are.
+        sources: over the same frames.
         field: its size gives the sides.
         tags: of the tag, by frame; empty where `by` is none.
         order: the dataset's table of frames; without it names give the shots.
+        poses: of cameras fitted to the annotations, by frame, for `POSED`.
 
     Raises:
         UsageError: nothing is known of any frame.
     """
     names = sources[0].names
-    of_all = f", median of {len(sources)} methods" if len(sources) > 1 else ""
+    fitted = [(poses or {}).get(name) for name in names]
     found: list[str | None]
     if tags:
         found = [tags.get(name) for name in names]
     elif by == ZOOM:
-        focal = [_median(p.focal_px for p in poses) for poses in _poses(sources)]
-        found = _thirds(focal, f"focal {{}} to {{}} px{of_all}")
+        focal = [None if pose is None else pose.focal_px for pose in fitted]
+        found = _thirds(focal, "focal {} to {} px")
     elif by == ELEMENTS:
         counts = [frame.elements or None for frame in sources[0].frames]
         found = _thirds(counts, "{} to {} elements")
@@ -109,8 +110,7 @@ def values_of_frames(
         shares = [None if f.spread is None else 100 * f.spread for f in sources[0].frames]
         found = _thirds(shares, "{} to {} % of the picture")
     elif by == SIDE:
-        sides = [_side(poses, field) for poses in _poses(sources)]
-        found = [None if side is None else side + of_all for side in sides]
+        found = [None if pose is None else _side(pose, field) for pose in fitted]
     elif by == MODEL:
         found = [_models(frames) for frames in _frames(sources)]
     elif by == SHOT:
@@ -138,15 +138,6 @@ def _frames(sources: Sequence[SourceSums]) -> Iterator[tuple[FrameSums, ...]]:
     return zip(*(source.frames for source in sources), strict=True)
 
 
-def _poses(sources: Sequence[SourceSums]) -> list[list[Pose]]:
-    return [[f.pose for f in frames if f.pose is not None] for frames in _frames(sources)]
-
-
-def _median(values: Iterable[float]) -> float | None:
-    known = list(values)
-    return median(known) if known else None
-
-
 def _thirds(values: Sequence[float | None], words: str) -> list[str | None]:
     """Names of the three parts that values fall into; fewer where many are the same."""
     known = np.array([v for v in values if v is not None])
@@ -168,11 +159,9 @@ def _models(frames: Iterable[FrameSums]) -> str | None:
     return " / ".join(dict.fromkeys(frame.model for frame in frames if frame.model)) or None
 
 
-def _side(poses: Sequence[Pose], field: Field) -> str | None:
-    """Return where next to the field a camera stands; the median of several."""
-    x, y = (_median(p.position_world[axis] for p in poses) for axis in (0, 1))
-    if x is None or y is None:
-        return None
+def _side(pose: Pose, field: Field) -> str:
+    """Return where next to the field a camera stands."""
+    x, y, _ = pose.position_world
     shown = field_rectangle(field)
     beyond_x = max(shown.left - x, x - shown.right)
     if beyond_x > max(shown.top - y, y - shown.bottom):

@@ -92,7 +92,7 @@ By = Annotated[
         show_default=False,
         help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
         " number of elements, how much of the picture they enclose, the camera's side and shot;"
-        " zoom and side are medians of the methods compared; repeat for several."
+        " zoom and side are those of a pinhole fitted to each annotation; repeat for several."
         "  [default: every tag of --tags]",
     ),
 ]

@@ -119,7 +119,7 @@ By = Annotated[
         show_default=False,
         help="Break everything down by this tag, by the model of the cameras, zoom, number of"
         " elements, how much of the picture they enclose, the camera's side or shot; zoom and"
-        " side are medians of the methods compared; repeat."
+        " side are those of a pinhole fitted to each annotation; repeat."
         "  [default: every tag of --tags]",
     ),
 ]

@@ -9,6 +9,7 @@ import pytest
 from scipy.stats import gamma
 
 from procc_annotator.metrics.statistics.independence import are_dependent, independence_evidence
+from tests.cli.conftest import rows_in
 
 
 @pytest.fixture(scope="module")
@@ -101,3 +102,51 @@ def test_the_test_keeps_its_level_for_the_true_camera():
         limit = gamma.isf(0.001, count)
         assert not are_dependent(count, limit * 0.999)
         assert are_dependent(count, limit * 1.001)
+
+
+def test_two_fits_are_compared_on_elements_that_both_determine(cli, wc14, tmp_path):
+    (few := tmp_path / "few").mkdir()
+    for path in sorted((wc14 / "annotations").iterdir())[:12]:
+        shutil.copy(path, few)
+    rows, out = {}, tmp_path / "s.json"
+    for model in ("P", "R"):
+        cli("calibrate", few, tmp_path / model, "--model", model, "--leave-one-out")
+        found = [r for r in rows_in(tmp_path / model / "held_out.csv") if r["class"]]
+        rows[model] = {(r["name"], r["class"]): float(r["held_out_px"] or "inf") for r in found}
+    both = rows["P"].keys() & rows["R"].keys()
+    cli(
+        "evaluate", few, "--cameras", f"P={tmp_path / 'P'}", "--cameras", f"R={tmp_path / 'R'}",
+        "--intervals", "-o", out,
+    )  # fmt: skip
+    chance = json.loads(out.read_text())["chance"][0]
+    (row,) = chance["held_out_differences"]["rows"]
+    assert row["elements"] == len(both)
+    for model, key in (("P", "held_out_a"), ("R", "held_out_b")):
+        assert row[key] == pytest.approx(np.mean([rows[model][at] < 5 for at in both]))
+    key = "held_out_difference"
+    assert row[f"{key}_low"] < row[key] < row[f"{key}_high"]
+    assert row["p_holm"] is not None
+    assert chance["differences"]["rows"][0]["p"] is None
+
+
+def test_parts_do_not_depend_on_the_methods(cli, wc14, tmp_path):
+    found = []
+    named = {"pnl": "cameras_pnlcalib", "carwc": "homographies_carwc"}
+    for methods in (["pnl"], ["pnl", "carwc"]):
+        given = [a for m in methods for a in ("--cameras", f"{m}={wc14 / named[m]}")]
+        out = tmp_path / "s.json"
+        cli("evaluate", wc14 / "annotations", *given, "--by", "zoom", "--by", "side", "-o", out)
+        content = json.loads(out.read_text())
+        chance = content["chance"][0]
+        found.append(
+            [
+                (row["value"], row["frames"], row["mean_jac"])
+                for by in ("zoom", "side")
+                for row in chance[f"by_{by}_figures"]["rows"]
+                if row["source"] == "pnl"
+            ]
+        )
+    assert found[0] == found[1]
+    shares = [(r["completeness"], r["completeness_low"]) for r in chance["intervals"]["rows"]]
+    frames = len(list((wc14 / "annotations").iterdir()))
+    assert shares == [(1.0, pytest.approx(1 - 3 / frames, abs=1e-3))] * len(shares)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from statistics import NormalDist
 from typing import Literal, get_args
@@ -320,6 +320,20 @@ def confidence_intervals(
             _interval_from_resamples(float(value), ascending, without, tail, draws.level, method)
         )
     return found
+
+
+def with_rule_of_three(interval: Interval, clusters: float) -> Interval:
+    """The interval of a share, or of a difference of shares; of one that is equal in all clusters,
+    so that its interval has no width, it reaches 3/n to both sides, exactly -ln(1 - level)/n
+    (Hanley and Lippman-Hand, Journal of the American Medical Association 1983).
+
+    Args:
+        clusters: n, how many clusters of equal size it rests on.
+    """
+    if interval.high - interval.low > 1e-9 or clusters <= 0:
+        return interval
+    reach = -math.log(1 - interval.level) / clusters
+    return replace(interval, low=interval.low - reach, high=interval.high + reach)
 
 
 def critical_value(effective: float, level: float) -> float:

@@ -280,7 +280,8 @@ def gather_report(
         UsageError: no source has anything to evaluate.
         InputError: a folder or archive that cannot be listed.
     """
-    chance = chance or InferenceSettings()
+    executor = None if work is None else work.executor
+    chance = (chance or InferenceSettings()).with_poses({dataset: (annotations, setup)}, executor)
     work = replace(work if work is not None else ReportWork(), noise=chance.noise)
     reported = [_gather(annotations, source, setup, thresholds, work) for source in sources]
     if not any(source.summaries for source in reported):

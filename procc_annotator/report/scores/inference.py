@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
+from procc_annotator.batch.audit import Pose
+from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.frame_sums import ClickNoise, SourceSums
 from procc_annotator.batch.grouping import FrameOrder, Tags, clusters_of
 from procc_annotator.batch.inference import Inference, restrict_to_common_frames
-from procc_annotator.batch.strata import Stratum, strata, values_of_frames
+from procc_annotator.batch.strata import POSED, Stratum, strata, values_of_frames
 from procc_annotator.field.model import Field
+from procc_annotator.formats.file_source import FileSource
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings, IntervalMethodName
@@ -38,6 +41,7 @@ class InferenceSettings:
         power: whether to say how many frames are needed.
         noise: how points are moved; None for not at all.
         by: what to break the differences down by.
+        poses: set -> frame -> see `reference_poses`, where ``by`` needs them.
     """
 
     cluster: str | None = None
@@ -48,10 +52,23 @@ class InferenceSettings:
     power: bool = False
     noise: ClickNoise | None = None
     by: tuple[str, ...] = ()
+    poses: Mapping[str, Mapping[str, Pose | None]] = field(default_factory=dict)
 
     def tag(self, of_set: str, name: str | None) -> Mapping[str, str | None]:
         """The values of a tag, by frame."""
         return {} if self.tags is None else self.tags.values(name, of_set)
+
+    def with_poses(
+        self, sets: Mapping[str, tuple[FileSource, EvaluationSetup]], executor: Executor | None
+    ) -> InferenceSettings:
+        """The same with cameras fitted to the annotations of each set, where ``by`` needs them."""
+        columns = () if self.tags is None else self.tags.columns
+        if not any(by in POSED and by not in columns for by in self.by):
+            return self
+        from procc_annotator.batch.reference_poses import reference_poses  # loads the solver
+
+        poses = {name: reference_poses(*own, executor) for name, own in sets.items()}
+        return replace(self, poses=poses)
 
     def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Inference:
         """Of sources over the same set.
@@ -134,7 +151,8 @@ def statistical_result(
     tau = certainty.thresholds[0]
     parted: list[list[Stratum]] = []
     for by in terms.by:
-        known = terms.tag(of_set[0], by), terms.orders.get(of_set[0])
+        name = of_set[0]
+        known = terms.tag(name, by), terms.orders.get(name), terms.poses.get(name)
         values = values_of_frames(by, certainty.sources, of_set[1], *known)
         parts = strata(certainty, by, values)
         sheets.append(strata_table(parts, certainty, tau, described))

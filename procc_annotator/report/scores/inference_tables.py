@@ -12,7 +12,7 @@ import numpy as np
 from procc_annotator.batch.audit import TAU_GRID
 from procc_annotator.batch.frame_sums import ClickNoise
 from procc_annotator.batch.inference import Inference, click_noise_spread, pairs_under_click_noise
-from procc_annotator.batch.strata import Stratum
+from procc_annotator.batch.strata import POSED, Stratum
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.statistics.intervals import AnnotationNoiseSensitivity, Interval
 from procc_annotator.metrics.statistics.significance import (
@@ -57,6 +57,10 @@ from procc_annotator.report.tables.table import (
 SIGNIFICANT = "significant"
 POINTS = (0.01, 0.02, 0.05)  # differences that a set should tell, as shares
 _POWER = 0.8
+_BY_FIT = (
+    "Zoom and side are those of a pinhole (P) fitted to the annotation of each frame, whichever"
+    " methods are compared; none: the annotation does not determine it."
+)
 _CURVE_STEP = 5  # of `TAU_GRID`, in a file
 
 
@@ -324,7 +328,8 @@ def strata_table(
         rows.append(tuple(row))
     notes = (
         f"In brackets {certainty.described}. The part where two sources differ most comes first; p"
-        " is corrected for all parts and pairs. Bold: beyond chance.",
+        " is corrected for all parts and pairs. Bold: significant.",
+        *([_BY_FIT] if by in POSED else []),
         *_cautions(parts),
     )
     return MetricTable(
@@ -355,7 +360,8 @@ def strata_metrics_table(
                     row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
                     row += interval_ends(ends[key, tau])
                 rows.append(tuple(row))
-    notes = (f"In brackets {certainty.described}.", *_cautions(parts))
+    by_fit = [_BY_FIT] if by in POSED else []
+    notes = (f"In brackets {certainty.described}.", *by_fit, *_cautions(parts))
     return MetricTable(
         f"by_{by}_figures", f"By {by}, every figure", tuple(columns), tuple(rows), described, notes,
         parts=tuple(begins[1:]),

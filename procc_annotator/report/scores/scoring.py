@@ -181,6 +181,10 @@ class Evaluations:
         Raises:
             UsageError: no annotation of a set can be read.
         """
+        if self._settings is not None:
+            sets = {s.request.set_name: s.request for s in reversed(self._scorings)}
+            inputs = {name: (one.annotations, one.setup) for name, one in sets.items()}
+            self._settings = self._settings.with_poses(inputs, executor)
         with ExitStack() as files:
             streams = [
                 files.enter_context(failure_tolerant_output(path, unwritten))
@@ -224,7 +228,7 @@ class _Scoring:
         named: bool,
         settings: InferenceSettings | None,
     ) -> None:
-        self._request = request
+        self.request = request
         self._thresholds = thresholds
         self._formats = formats
         self._names = {"set": request.set_name, "method": request.method} if named else {}
@@ -247,9 +251,9 @@ class _Scoring:
         """Write the beginning of the outputs."""
         for stream, kind in zip(streams, self._formats, strict=True):
             self._writers.append(
-                JsonScores(stream, self._request.setup, self._thresholds, self._names)
+                JsonScores(stream, self.request.setup, self._thresholds, self._names)
                 if kind == "json"
-                else CsvScores(stream, self._names, self._request.grouping.by, headless=not first)
+                else CsvScores(stream, self._names, self.request.grouping.by, headless=not first)
             )
             self._writers[-1].begin()
 
@@ -266,7 +270,7 @@ class _Scoring:
 
     def sum_up(self) -> None:
         """Compute the metrics; all frames have been taken."""
-        run, request = self.run, self._request
+        run, request = self.run, self.request
         if run.counted == 0:
             raise UsageError(
                 f"none of the {run.total} annotations can be read; the first: {self._errors[0]}"

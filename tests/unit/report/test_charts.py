@@ -53,7 +53,7 @@ def reported(frame: str, jac: float | None, pan: float = 0.0) -> ReportedFrame:
     nothing = np.empty((0, 2), np.float32)
     pose = Pose(pan, 80.0, 0.0, 2000.0, (0.0, 70.0, -15.0))
     audit = FrameAudit(frame, "pinhole", curve, np.empty(0, np.int16), nothing, nothing, pose)
-    sums = FrameSums(frame, np.array([[jac, jac, jac, 0.0, 0.0]]), curve, 8, pose, "pinhole")
+    sums = FrameSums(frame, np.array([[jac, jac, jac, 0.0, 0.0]]), curve, 8, "pinhole")
     figures = FrameMetrics(jac, 0, 0, 0, False, None, None, None, None)
     return ReportedFrame(frame, {TAU: figures}, audit, None, True, (), sums)
 
