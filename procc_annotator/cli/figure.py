@@ -10,6 +10,7 @@ import typer
 
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.drawing_options import DrawingOptions
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.dataset.camera_set import CameraSet
@@ -43,28 +44,15 @@ Count = Annotated[
     int, typer.Option("--count", min=1, max=50, metavar="N", help="Frames to choose.")
 ]
 Width = Annotated[float, typer.Option(min=1, max=40, metavar="INCHES", help="Width of the figure.")]
-Threshold = Annotated[
-    float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
-]
 
 
 def figure(
     dataset: input_files.Dataset,
     out: Out,
+    given: DrawingOptions,
     cameras: options.Sources = None,
     frames: Frames = None,
     count: Count = 4,
-    annotations: input_files.Annotations = None,
-    labels: options.LabelsFile = None,
-    threshold: Threshold = options.DEFAULT_THRESHOLD,
-    protocol: options.Protocol = "soccernet",
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    camera_format: options.CameraFormat = "auto",
-    camera_size: options.CameraSize = None,
-    off_plane: options.OffPlane = "missed",
-    mirrored: options.Mirrored = False,
     width: Width = 7.0,
     overwrite: options.Overwrite = False,
 ) -> None:
@@ -78,20 +66,14 @@ def figure(
     outputs.check_output_folder(out)
     if out.exists() and not overwrite:
         raise UsageError(f"{out}: exists already, choose another name, or --overwrite")
-    setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
-    )
-    (tau,) = options.thresholds_or_default([threshold])
-    workspace = input_files.open_dataset(
-        dataset, setup.field, annotations, options.label_map(labels, setup.field), drawn=True
-    )
+    setup = given.setup(dataset)
+    workspace = given.open(dataset, setup)
+    own = options.shown_size(given.camera_size)
     methods = [
-        CameraSet.open(
-            spec.path, spec.format, spec.name, options.shown_size(camera_size), setup.field
-        )
-        for spec in parse_sources(cameras, camera_format)
+        CameraSet.open(spec.path, spec.format, spec.name, own, setup.field)
+        for spec in parse_sources(cameras, given.camera_format)
     ]
-    renderings = [Rendering(workspace, setup, tau, method) for method in methods]
+    renderings = [given.rendering(workspace, setup, method) for method in methods]
     rendered = Rendered(out)
     chosen = _named(frames, workspace) if frames else _spread(renderings, count, rendered)
     rows = [[one.scene(index, rendered) for one in renderings] for index in chosen]

@@ -11,6 +11,7 @@ import typer
 from procc_annotator.arrays import FloatArray
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.drawing_options import DrawingOptions
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.dataset.workspace import Workspace
@@ -25,7 +26,6 @@ from procc_annotator.report.overlay_scene import (
     OverlayLook,
     OverlayPainter,
     Rendered,
-    Rendering,
     render_pictures,
     render_video,
 )
@@ -61,9 +61,6 @@ class PictureFormat(StrEnum):
 
 
 Out = Annotated[Path, typer.Argument(help="Folder of pictures, or a file.")]
-Threshold = Annotated[
-    float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
-]
 Encoding = Annotated[PictureFormat, typer.Option("--format", help="Encoding of the pictures.")]
 Scale = Annotated[
     float,
@@ -110,18 +107,8 @@ Fps = Annotated[
 def render(
     dataset: input_files.Dataset,
     out: Out,
-    annotations: input_files.Annotations = None,
-    labels: options.LabelsFile = None,
+    given: DrawingOptions,
     cameras: input_files.Cameras = None,
-    threshold: Threshold = options.DEFAULT_THRESHOLD,
-    protocol: options.Protocol = "soccernet",
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    camera_format: options.CameraFormat = "auto",
-    camera_size: options.CameraSize = None,
-    off_plane: options.OffPlane = "missed",
-    mirrored: options.Mirrored = False,
     picture_format: Encoding = PictureFormat.png,
     scale: Scale = 1.0,
     painted_width: PaintedWidth = False,
@@ -133,20 +120,15 @@ def render(
 ) -> None:
 
     look = OverlayLook(scale, legend)
-    setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
-    )
-    (tau,) = options.thresholds_or_default([threshold])
-    workspace = input_files.open_dataset(
-        dataset, setup.field, annotations, options.label_map(labels, setup.field), drawn=True
-    )
+    setup = given.setup(dataset)
+    workspace = given.open(dataset, setup)
     camera_set = input_files.open_cameras(
-        cameras, camera_format, options.shown_size(camera_size), setup.field
+        cameras, given.camera_format, options.shown_size(given.camera_size), setup.field
     )
     outputs.check_folder_apart(
         out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
     )
-    rendering = Rendering(workspace, setup, tau, camera_set, painted_width)
+    rendering = given.rendering(workspace, setup, camera_set, painted_width=painted_width)
     single = out.suffix.lower() if out.suffix.lower() in (*SUFFIXES, VIDEO_SUFFIX) else ""
     suffix = single if single in SUFFIXES else f".{picture_format.value}"
     if single in SUFFIXES and not top_view:
