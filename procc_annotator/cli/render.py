@@ -16,12 +16,12 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import UsageError
-from procc_annotator.figures.top_view import TopViewPainter
+from procc_annotator.figures.top_view import SUFFIXES, TopViewPainter
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.point_tables import PointTable, read_rows
+from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.messages import list_names, pluralize
 from procc_annotator.report.overlay_scene import (
-    SUFFIXES,
     VIDEO_SUFFIX,
     OverlayLook,
     OverlayPainter,
@@ -32,7 +32,7 @@ from procc_annotator.report.overlay_scene import (
 
 HELP = """\
 DATASET may be a video. OUT is a folder, or a video if it ends in .mp4; with --top-view also one
-picture (.png, .jpg, .svg): the median of the frames from above, without what moves.
+picture (.png, .jpg, .svg, .pdf): the median of the frames from above, without what moves.
 
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
 explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
@@ -50,6 +50,9 @@ Example:
   procc-annotator render match.mp4 overlay.mp4 --cameras tracked/
   procc-annotator render match.mp4 field.png --cameras tracked/ --top-view
 """
+
+
+_FILES = {*SUFFIXES, *PICTURE_SUFFIXES, *VIDEO_SUFFIXES}  # names that folders do not have
 
 
 class PictureFormat(StrEnum):
@@ -129,17 +132,22 @@ def render(
         out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
     )
     rendering = given.rendering(workspace, setup, camera_set, painted_width=painted_width)
-    single = out.suffix.lower() if out.suffix.lower() in (*SUFFIXES, VIDEO_SUFFIX) else ""
-    suffix = single if single in SUFFIXES else f".{picture_format.value}"
-    if single in SUFFIXES and not top_view:
-        raise UsageError(f"{out}: one picture of all frames is a top view: add --top-view")
+    single = "" if out.is_dir() else out.suffix.lower()
+    if single not in _FILES:
+        single = ""
+    elif not (single == VIDEO_SUFFIX or (top_view and single in SUFFIXES)):
+        kinds = f"; with --top-view also {', '.join(SUFFIXES)}"
+        raise UsageError(f"{out}: expected a folder, or a name that ends in {VIDEO_SUFFIX}{kinds}")
     if positions is not None and not top_view:
         raise UsageError("--positions are drawn from above: add --top-view")
-    painter: OverlayPainter = overlay_painter(suffix, look)
+    suffix = single if single in SUFFIXES else f".{picture_format.value}"
+    painter: OverlayPainter
     if top_view:
         if camera_set is None:
             raise UsageError("--top-view needs --cameras")
         painter = TopViewPainter(suffix, scale, _positions(positions, workspace))
+    else:
+        painter = overlay_painter(suffix, look)
     if single:
         outputs.check_output_folder(out)
         outputs.check_not_inputs([out], [dataset] if dataset.is_file() else [])

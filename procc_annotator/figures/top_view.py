@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.errors import ImageError
+from procc_annotator.camera.base import ElementProjections
+from procc_annotator.errors import ImageError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.figures.overlay import (
@@ -21,9 +22,9 @@ from procc_annotator.figures.overlay import (
 )
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.top_view import GroundRaster, panorama, picture_on_ground
-from procc_annotator.metrics.ground_plane import require_camera_model
 from procc_annotator.report.overlay_scene import GROUND_BGRA, Rendered, Scene, pixels_of
 
+SUFFIXES = (".png", ".jpg", ".svg", ".pdf")  # of one picture of many frames
 PX_PER_M = 10.0
 _LINE_SPACING_M = 0.25
 _LINE, _POSITION, _RIM = "#FFFFFF", "#E69F00", "#202020"
@@ -85,10 +86,13 @@ class TopViewPainter:
 
     def _resampled(self, scene: Scene) -> tuple[PixelArray, NDArray[np.bool_]]:
         assert scene.camera is not None
-        return picture_on_ground(
-            pixels_of(scene), require_camera_model(scene.camera), scene.setup.size,
-            self._raster(scene.setup.field),
-        )  # fmt: skip
+        if isinstance(scene.camera, ElementProjections):
+            raise UsageError(
+                f"{scene.source}: holds where the elements are shown, no cameras: pictures cannot"
+                " be laid on the ground by them"
+            )
+        raster = self._raster(scene.setup.field)
+        return picture_on_ground(pixels_of(scene), scene.camera, scene.setup.size, raster)
 
     def _view(self, scene: Scene) -> PixelArray:
         if scene.camera is not None:
