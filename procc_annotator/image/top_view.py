@@ -109,8 +109,8 @@ def panorama(views: Sequence[tuple[PixelArray, BoolArray]]) -> PixelArray:
         of the two middle values counts.
     """
     count = np.sum([seen for _, seen in views], axis=0)
-    stack = np.stack([np.where(seen[..., None], view, _NOT_SEEN) for view, seen in views])
-    stack = np.sort(stack.astype(np.int16), axis=0)
+    shown = [np.where(seen[..., None], view.astype(np.int16), _NOT_SEEN) for view, seen in views]
+    stack = np.sort(np.stack(shown), axis=0)
     middle = np.maximum(count - 1, 0) // 2
     found = np.take_along_axis(stack, middle[None, ..., None], axis=0)[0]
     return np.where(count[..., None] > 0, found, 0).astype(np.uint8)
