@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +13,7 @@ from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array
 from procc_annotator.formats.cameras.json_values import JsonValues
 from procc_annotator.formats.cameras.krt import BY_ORDER, projection_from
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
-from procc_annotator.formats.strict_json import printable, utf8_text
+from procc_annotator.formats.strict_json import finite_number, printable, utf8_text
 
 YARD_M = 0.9144
 HOMOGRAPHY_SIZE = (1280, 720)
@@ -203,22 +202,12 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
         for word in line.replace(",", " ").split():
-            number = _number(word)
+            number = finite_number(word)
             if number is None:
                 problem = f"expected a finite number, found {word[:40]!r}"
                 raise JsonValues({}, path).error(problem, f"line {line_number}")
             numbers.append(number)
     return numbers
-
-
-def _number(word: str) -> float | None:
-    try:
-        number = float(word)
-    except ValueError:
-        return None
-    # Python reads 1_0 as ten, and digits of every script; no other program would.
-    plain = word.isascii() and "_" not in word
-    return number if math.isfinite(number) and plain else None
 
 
 def _finite(matrix: FloatArray, path: str) -> FloatArray:

@@ -27,7 +27,7 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.formats.cameras.opencv import storage_numbers
 from procc_annotator.formats.file_source import FileSource
-from procc_annotator.formats.strict_json import printable, utf8_text
+from procc_annotator.formats.strict_json import finite_number, printable, utf8_text
 
 IMAGES, CAMERAS = "images.txt", "cameras.txt"
 # Parameters of each model in their order; those of one focal length have fx = fy.
@@ -167,11 +167,8 @@ def _is_points(words: list[str]) -> bool:
 def _numbers(words: Iterable[str], path: str, at: str) -> list[float]:
     found = []
     for word in words:
-        try:
-            number = float(word)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
+        number = finite_number(word)
+        if number is None:
             raise CameraError(
                 path, f"expected a finite number, found {printable(word, 40)!r}", place=at,
                 advice="the file may be cut off",
