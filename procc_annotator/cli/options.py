@@ -30,9 +30,9 @@ from procc_annotator.report.outputs import is_archive
 
 AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
-    "soccernet", "tvcalib", "broadtrack", "deepsportradar", "krt", "polylines",
-    "projection", "transforms", "sccvsd", "ptz-slam", "opencv", "wc14", "carwc", "world",
-    "colmap", "easymocap",
+    "soccernet", "tvcalib", "opencv", "broadtrack", "deepsportradar", "synloc", "opentrackio",
+    "fifa", "pose2sim", "panoptic", "vggt", "krt", "polylines", "projection", "transforms",
+    "sccvsd", "ptz-slam", "qualisys", "table", "wc14", "carwc", "world", "colmap", "easymocap",
 )  # fmt: skip
 
 

@@ -30,9 +30,7 @@ LABELS_NAME = "labels.json"
 _GREY = "#808080"
 _COURSES = frozenset({"polyline", "points", "polygon"})
 # Python's \d and int() take digits of every script; no other program does.
-_NUMBER = re.compile(
-    r"\s*[-+]?(\d{1,64}(\.\d{0,64})?|\.\d{1,64})([eE][-+]?\d{1,4})?\s*", re.ASCII
-)
+_NUMBER = re.compile(r"\s*[-+]?(\d{1,64}(\.\d{0,64})?|\.\d{1,64})([eE][-+]?\d{1,4})?\s*", re.ASCII)
 _WHOLE = re.compile(r"\s*\d{1,9}\s*", re.ASCII)
 # XML 1.0 has no way to spell these.
 _UNSPELLABLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
