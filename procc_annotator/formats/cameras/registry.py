@@ -127,8 +127,7 @@ def only_record(records: CameraRecords) -> LoadedCamera:
 def _detected(content: object, path: str) -> CameraFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
         return SOCCERNET
-    if (unread := unread_format(path, content=content)) is not None:
-        raise CameraError(path, unread.problem, advice=unread.advice)
+    _refuse_unread(path, content=content)
     values = list(content.values()) if type(content) is dict else []
     if looks_like_points(content) or (
         values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
@@ -193,24 +192,23 @@ def _read_any(data: bytes, *, path: str) -> LoadedCamera:
     """The camera of a file that no one named the format of."""
     if _is_matrix(data, path):
         return read_matrix_file(data, path=path)
-    if path.lower().endswith(".xml") and _is_storage_xml(data):
+    _refuse_unread(path, data)
+    if _is_storage_xml(data, path):
         return read_opencv(data, path=path)
-    return read_json(_known(data, path), path=path)
+    return read_json(data, path=path)
 
 
 def _any_records(data: bytes, *, path: str) -> CameraRecords | None:
     if _is_matrix(data, path):
         return matrix_records(data, path=path)
-    if path.lower().endswith(".xml") and _is_storage_xml(data):
-        return None
-    return json_records(_known(data, path), path=path)
+    _refuse_unread(path, data)
+    return None if _is_storage_xml(data, path) else json_records(data, path=path)
 
 
-def _known(data: bytes, path: str) -> bytes:
-    """The same bytes, unless they are of a program whose files are not read."""
-    if (unread := unread_format(path, data)) is not None:
+def _refuse_unread(path: str, data: bytes = b"", content: Any = None) -> None:
+    """Refuse what is of a program whose files are not read."""
+    if (unread := unread_format(path, data, content)) is not None:
         raise CameraError(path, unread.problem, advice=unread.advice)
-    return data
 
 
 def _is_matrix(data: bytes, path: str) -> bool:
@@ -218,9 +216,10 @@ def _is_matrix(data: bytes, path: str) -> bool:
     return is_text and not is_xml(data) and not is_kitti(data)
 
 
-def _is_storage_xml(data: bytes) -> bool:
-    """Return whether XML is a FileStorage's, or damaged: its reader says how."""
-    return b"<opencv_storage" in data[:4096] or not is_xml(data)
+def _is_storage_xml(data: bytes, path: str) -> bool:
+    """Return whether it is XML of a FileStorage, or of no known kind: its reader says what."""
+    other = b"<cameras" in data[:4096] and b"<opencv_storage" not in data[:4096]
+    return path.lower().endswith(".xml") and not other
 
 
 FORMATS: tuple[CameraFormat, ...] = tuple(
@@ -236,6 +235,8 @@ _ANY_SUFFIXES = (*JSON, *TABLE_SUFFIXES, TOML_SUFFIX, ".xml", *HOMOGRAPHY_SUFFIX
 _ANY = CameraFormat(
     "auto", "by what is in it", _ANY_SUFFIXES, _ANY_SUFFIXES, _read_any, _any_records
 )
+# Of tables and settings as well, which lie beside cameras: read where it is the only such file.
+ALONE_SUFFIXES = frozenset({".csv", TOML_SUFFIX})
 PAIRED_FORMATS: tuple[CameraFormat, ...] = tuple(row for row in FORMATS if row.pairs)
 CAMERA_FORMATS: tuple[str, ...] = ("auto", *(f.name for f in FORMATS))
 
@@ -275,8 +276,7 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
     for known in all_formats():
         if suffix in known.default_for:
             return known
-    if (unread := unread_format(path)) is not None:
-        raise CameraError(path, unread.problem, advice=unread.advice)
+    _refuse_unread(path)
     raise CameraError(
         path,
         f"unknown kind of camera file {suffix!r}",
@@ -285,9 +285,11 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
 
 
 def suffixes_of(fmt: str = "auto") -> frozenset[str]:
-    """Lower-case suffixes of the files that may hold cameras of a format."""
+    """Lower-case suffixes of the files that may hold cameras of a format; of ``auto`` without
+    those of `ALONE_SUFFIXES`."""
     if fmt == "auto":
-        return frozenset(s for known in (_ANY, *all_formats()) for s in known.default_for)
+        found = frozenset(s for known in (_ANY, *all_formats()) for s in known.default_for)
+        return found - ALONE_SUFFIXES
     return frozenset(format_of("", fmt).suffixes)
 
 
