@@ -134,13 +134,13 @@ def _counts(content: dict[str, Any], keys: KrtKeys) -> dict[str, int]:
     found: dict[str, int] = {}
     for key in content.keys() & (matrices | vectors):
         value = content[key]
-        depth, inner = _depth(value)
+        depth = depth_of(value)
         if key in matrices:
             stacked = depth == 3
         elif key in keys.distortion:
-            stacked = (depth == 3 or (depth == 2 and inner >= 4)) and len(value) > 1
+            stacked = (depth == 3 or (depth == 2 and len(value[0]) >= 4)) and len(value) > 1
         else:  # (N, 3) or (N, 3, 1), but not one column of three
-            stacked = depth == 3 or (depth == 2 and inner == 3)
+            stacked = depth == 3 or (depth == 2 and len(value[0]) == 3)
         if stacked:
             found[key] = len(value)
     in_matrices = bool(found.keys() & matrices)
@@ -153,17 +153,16 @@ def _counts(content: dict[str, Any], keys: KrtKeys) -> dict[str, int]:
 
 def _without_batch(content: dict[str, Any]) -> dict[str, Any]:
     """The same without the axis of one batch that networks put before the frames."""
-    return {k: v[0] if _depth(v)[0] == 4 and len(v) == 1 else v for k, v in content.items()}
+    return {k: v[0] if depth_of(v) == 4 and len(v) == 1 else v for k, v in content.items()}
 
 
 def _are_names(value: object) -> bool:
     return type(value) is list and all(type(name) in (str, int, float) for name in value)
 
 
-def _depth(value: Any) -> tuple[int, int]:
-    """Return how deeply lists nest, and how long the innermost one is."""
-    depth = length = 0
+def depth_of(value: Any) -> int:
+    """Return how deeply lists nest."""
+    depth = 0
     while type(value) is list:
-        depth, length = depth + 1, len(value)
-        value = value[0] if value else None
-    return depth, length
+        depth, value = depth + 1, value[0] if value else None
+    return depth

@@ -42,12 +42,14 @@ def fisheye_of_polynomial(
     return float(found[0]), found[1:] / found[0], np.asarray(off)
 
 
-def distortion_of_inverse(radial: FloatArray, radius: float) -> tuple[FloatArray, FloatArray]:
+def distortion_of_inverse(
+    up: FloatArray, down: FloatArray, radius: float
+) -> tuple[FloatArray, FloatArray]:
     """The radial distortion closest to the inverse of r_u = r (1 + n1 r^2 + n2 r^4 + n3 r^6) /
     (1 + d1 r^2 + d2 r^4 + d3 r^6), r being the radius in the picture.
 
     Args:
-        radial: (6,) n1, n2, n3, d1, d2, d3, for radii in focal lengths.
+        up, down: (3,) n1, n2, n3 and d1, d2, d3, for radii in focal lengths.
         radius: of the picture's farthest corner, in focal lengths.
 
     Returns:
@@ -56,7 +58,7 @@ def distortion_of_inverse(radial: FloatArray, radius: float) -> tuple[FloatArray
     r = np.linspace(0, radius, _SAMPLES)[1:]
     even = r[:, None] ** np.array([2, 4, 6])
     with np.errstate(all="ignore"):
-        undistorted = r * (1 + even @ radial[:3]) / (1 + even @ radial[3:])
+        undistorted = r * (1 + even @ up) / (1 + even @ down)
     powers = undistorted[:, None] ** np.array([3, 5, 7])
     if not np.isfinite(powers).all():
         raise ValueError("the distortion has no bounds within the picture")
