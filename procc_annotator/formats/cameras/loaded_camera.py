@@ -13,7 +13,12 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import LeftOutResult
-from procc_annotator.formats.frame_names import PICTURE_FOLDERS, picture_folders_of, posix_path
+from procc_annotator.formats.frame_names import (
+    PICTURE_FOLDERS,
+    PICTURE_SUFFIX,
+    picture_folders_of,
+    posix_path,
+)
 from procc_annotator.formats.strict_json import printable
 
 
@@ -63,10 +68,6 @@ def with_notices(loaded: LoadedCamera, notices: Iterable[str]) -> LoadedCamera:
     """The same with more remarks for a person."""
     return replace(loaded, notices=(*loaded.notices, *notices))
 
-
-_PICTURE_SUFFIXES = frozenset(
-    {".jpg", ".jpeg", ".png", ".bmp", ".tif", ".tiff", ".webp", ".jp2", ".ppm", ".pgm"}
-)
 
 # Decoded content of one camera, the file, the place in it -> the camera.
 ReadRecord = Callable[[Any, str, str], LoadedCamera]
@@ -191,9 +192,8 @@ class CameraFormat:
 def frame_of_image(name: str, by_path: bool = False) -> str:
     """The frame a picture's name stands for: without the suffix of a picture, and without folders
     unless it is called by its path."""
-    path = PurePosixPath(posix_path(name))
-    frame = path.stem if path.suffix.lower() in _PICTURE_SUFFIXES else path.name
-    return str(path.parent / frame) if by_path else frame
+    frame = PICTURE_SUFFIX.sub("", posix_path(name))
+    return str(PurePosixPath(frame)) if by_path else PurePosixPath(frame).name
 
 
 NAME_THE_FORMAT = "choose its camera format: world takes metres from the field's centre"
