@@ -64,6 +64,7 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
     _U("an HDF5 or Parquet file", _NUMPY, (".h5", ".hdf5", ".parquet"), (b"\x89HDF", b"PAR1")),
     _U("a Supervisely annotation", "export the project as COCO or as Datumaro",
        (), (b'"classTitle"',), ("classTitle",)),
+    _U("a VIA 3 project", "draw in VIA 2, or export from VIA 3 as COCO", (), (b'"fid_list"',)),
     _U("a V7 Darwin annotation", "export it as COCO", (), (b"darwin",)),
     _U("a Pascal VOC annotation", "it has boxes, no lines: export polylines as CVAT or COCO",
        (), (b"<annotation>\n\t<folder", b"<bndbox>")),

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 import tomllib
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
-from procc_annotator.errors import CameraError
+from procc_annotator.errors import CameraError, InputError
 from procc_annotator.formats.cameras.arrays import array_content, is_array_file
+from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.strict_json import (
     decode_fast,
     finite_number,
@@ -18,9 +16,7 @@ from procc_annotator.formats.strict_json import (
     strip_bom,
     utf8_text,
 )
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
+from procc_annotator.formats.xml_text import parse_xml
 
 ARRAY_SUFFIXES = (".npz", ".mat")
 TABLE_SUFFIXES = (".csv", ".dlt2d", ".dlt3d")
@@ -30,12 +26,11 @@ _KITTI = re.compile(rb"\s*[A-Za-z]\w*:\s*[-+0-9.]")
 _PROJECTION = re.compile(r"P(_?rect)?_?[0-9]+")
 
 
-@dataclass(frozen=True)
-class Table:
+class Table(NamedTuple):
     """A CSV file: columns, and line number and cells of each row."""
 
-    columns: tuple[str, ...]
-    rows: tuple[tuple[int, dict[str, str]], ...]
+    columns: list[str]
+    rows: list[tuple[int, dict[str, str]]]
 
 
 def decoded_content(data: bytes, path: str) -> Any:
@@ -59,7 +54,7 @@ def decoded_content(data: bytes, path: str) -> Any:
     if suffix.endswith(TABLE_SUFFIXES):
         return _table(data, path)
     if is_xml(data):
-        return _xml(data, path)
+        return parse_xml(data, path, CameraError, "write it again")
     if is_kitti(data):
         return _kitti(data, path)
     if suffix.endswith(_LINES):
@@ -103,34 +98,9 @@ def _toml(data: bytes, path: str) -> Any:
 
 
 def _table(data: bytes, path: str) -> Table:
-    text = utf8_text(data, path)
-    reader = csv.reader(io.StringIO(text, newline=""), strict=True)
     try:
-        lines = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
-    except csv.Error as error:
-        place = f"line {reader.line_num}"
-        raise CameraError(path, f"is no CSV: {error}", place=place) from error
-    (_, header), *rows = lines or [(0, [])]
-    names = tuple(cell.strip() for cell in header)
-    for line, row in rows:
-        if len(row) != len(names):
-            problem = f"has {len(row)} cells, expected {len(names)} as in the header"
-            raise CameraError(path, problem, place=f"line {line}")
-    cells = ((n, dict(zip(names, map(str.strip, row), strict=True))) for n, row in rows)
-    return Table(names, tuple(cells))
-
-
-def _xml(data: bytes, path: str) -> Element:
-    from xml.etree.ElementTree import ParseError
-
-    from defusedxml import ElementTree  # type: ignore[import-untyped]
-    from defusedxml.common import DefusedXmlException  # type: ignore[import-untyped]
-
-    try:
-        root: Element = ElementTree.fromstring(data, forbid_dtd=True)
-    except (ParseError, DefusedXmlException, ValueError, LookupError) as error:
-        why = printable(str(error), 120)
+        return Table(*read_table(path, (), "a header and a row for each frame", data))
+    except InputError as error:
         raise CameraError(
-            path, f"is not readable XML: {why}", advice="the file may be cut off"
+            error.path, error.problem, place=error.place, advice=error.advice
         ) from error
-    return root

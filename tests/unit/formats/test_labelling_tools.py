@@ -100,20 +100,12 @@ FIFTYONE = {"samples": [{
         {"label": "Side line top", "points": [[MARK[0] / W, MARK[1] / H]]},
     ]},
 }]}  # fmt: skip
-VIA3 = {
-    "project": {}, "config": {}, "attribute": {}, "file": {"1": {"fid": "1", "fname": "7.jpg"}},
-    "view": {"1": {"fid_list": ["1"]}}, "metadata": {
-        "a": {"vid": "1", "xy": [6, *LINE[0], *LINE[1]], "av": {"1": "Middle line"}},
-        "b": {"vid": "1", "xy": [1, *MARK], "av": {"1": "Side line top"}},
-    },
-}  # fmt: skip
 FILES: dict[str, tuple[str, Any]] = {
     "datumaro": ("default.json", DATUMARO),
     "label-studio": ("project.json", [studio("full")]),
     "label-studio, JSON-MIN": ("project.json", [studio("min")]),
     "via": ("via.json", VIA),
     "via project": ("via.json", {"_via_settings": {}, "_via_img_metadata": VIA}),
-    "via 3": ("via.json", VIA3),
     "via, CSV": ("via.csv", via_csv()),
     "labelbox": ("export.ndjson", f"{json.dumps(LABELBOX)}\n"),
     "labelbox lines": ("e.ndjson", f"{json.dumps(LABELBOX)}\n" + json.dumps(
