@@ -130,25 +130,21 @@ def _is_stack(content: dict[str, Any], keys: KrtKeys) -> bool:
 def _counts(content: dict[str, Any], keys: KrtKeys) -> dict[str, int]:
     """Key -> how many of its part are stacked in it; the parts of one camera are none."""
     matrices = {*keys.k, *keys.pose, *keys.inverse_pose, *PROJECTION_KEYS, *keys.r} - _VECTORS
-    vectors = {*keys.t, *keys.position, *keys.distortion, *_OPENCV_NAMES, *_VECTORS} - matrices
-    found: dict[str, int] = {}
-    for key in content.keys() & (matrices | vectors):
-        value = content[key]
-        depth = depth_of(value)
-        if key in matrices:
-            stacked = depth == 3
-        elif key in keys.distortion:
-            stacked = (depth == 3 or (depth == 2 and len(value[0]) >= 4)) and len(value) > 1
-        else:  # (N, 3) or (N, 3, 1), but not one column of three
-            stacked = depth == 3 or (depth == 2 and len(value[0]) == 3)
-        if stacked:
+    vectors = {*keys.t, *keys.position, *keys.distortion, *_OPENCV_NAMES, *_VECTORS}
+    found = {k: len(v) for k, v in content.items() if k in matrices and depth_of(v) == 3}
+    others = sorted(content.keys() & vectors - found.keys(), key=lambda key: (key in _VECTORS, key))
+    for key in others:  # (N, 3) or (N, 3, 1), but not (3, 1)
+        value, depth = content[key], depth_of(content[key])
+        wide = depth == 2 and (len(value[0]) >= 4 if key in keys.distortion else len(value[0]) == 3)
+        # Of a rotation that is a matrix three rows are no stack, nor is a vector that is a row.
+        is_matrix = key in _VECTORS and depth == 2 and 3 not in found.values()
+        if (
+            (depth == 3 or wide)
+            and (len(value) > 1 or found)
+            and not (is_matrix and len(value) == 3)
+        ):
             found[key] = len(value)
-    in_matrices = bool(found.keys() & matrices)
-    for key in found.keys() - matrices:  # a row of three, or a rotation that is a matrix
-        alone = found[key] == 1 and not in_matrices
-        if alone or (key in _VECTORS and found[key] == 3 and list(found.values()).count(3) == 1):
-            del found[key]
-    return {key: found[key] for key in content if key in found}
+    return found
 
 
 def _without_batch(content: dict[str, Any]) -> dict[str, Any]:
