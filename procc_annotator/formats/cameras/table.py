@@ -7,7 +7,8 @@ from functools import partial
 from typing import Any
 
 from procc_annotator.formats.cameras import published_sets as sets
-from procc_annotator.formats.cameras import soccernet, tracking_systems
+from procc_annotator.formats.cameras import soccernet
+from procc_annotator.formats.cameras import tracking_systems as systems
 from procc_annotator.formats.cameras.content import ARRAY_SUFFIXES, TABLE_SUFFIXES, TOML_SUFFIX
 from procc_annotator.formats.cameras.homography import CONVENTIONS, read_homography
 from procc_annotator.formats.cameras.krt import (
@@ -40,6 +41,7 @@ STORAGE_SUFFIXES = (".yml", ".yaml", ".xml")
 HOMOGRAPHY_SUFFIXES = (".homographymatrix", ".txt", ".npy")
 _OURS = "metres, z down, origin at the field's centre"
 _UP = "metres, z up, origin at the field's centre; turned by half about x"
+_UP_IF_ABOVE = f"{_UP} where the camera stands at z > 0"
 _YARDS = "yards, origin top left; moved to the centre"
 
 
@@ -48,17 +50,14 @@ def by_content(data: bytes, *, path: str) -> LoadedCamera:
     raise NotImplementedError(path)
 
 
+_Recognises = Callable[[Any], bool] | None
+_Many = Callable[[Any, str], CameraRecords | None]
+
+
 def _row(
-    name: str,
-    title: str,
-    keys: str,
-    world: str,
-    recognises: Callable[[Any], bool] | None,
-    one: ReadRecord | None,
-    many: Callable[[Any, str], CameraRecords | None],
-    suffixes: tuple[str, ...] = JSON,
-    example: str = "",
-) -> CameraFormat:
+    name: str, title: str, keys: str, world: str, example: str, recognises: _Recognises,
+    one: ReadRecord | None, many: _Many, suffixes: tuple[str, ...] = JSON,
+) -> CameraFormat:  # fmt: skip
     return CameraFormat(
         name, title, suffixes, (), by_content, None, one is None, recognises, one, many,
         keys=keys, world=world, example=example,
@@ -66,19 +65,13 @@ def _row(
 
 
 def _parts(
-    name: str,
-    title: str,
-    keys: str,
-    world: str,
-    parts: KrtKeys,
-    recognises: Callable[[Any], bool] | None = None,
-    suffixes: tuple[str, ...] = JSON,
-    example: str = "",
-) -> CameraFormat:
+    name: str, title: str, keys: str, world: str, example: str, parts: KrtKeys,
+    recognises: _Recognises = None, suffixes: tuple[str, ...] = JSON,
+) -> CameraFormat:  # fmt: skip
     """A format that is K, R, t under other names, in other units or axes."""
     return _row(
-        name, title, keys, world, recognises or partial(is_krt_file, keys=parts),
-        partial(krt_from, keys=parts), partial(krt_records, keys=parts), suffixes, example,
+        name, title, keys, world, example, recognises or partial(is_krt_file, keys=parts),
+        partial(krt_from, keys=parts), partial(krt_records, keys=parts), suffixes,
     )  # fmt: skip
 
 
@@ -91,22 +84,18 @@ def _by_frame(
     return CameraRecords.of(path, found, read)
 
 
-def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
-    return soccernet.camera_from(content, path=path, inside=inside)
-
-
 def _is_soccernet(content: object) -> bool:
     return type(content) is dict and soccernet.is_soccernet(content)
 
 
 SOCCERNET = _row(
-    "soccernet", "SoccerNet camera JSON", "pan_degrees", _OURS, _is_soccernet,
-    _soccernet, partial(_by_frame, _is_soccernet, _soccernet),
-    example="camera_FRAME.json, or {FRAME: camera}",
+    "soccernet", "SoccerNet camera JSON", "pan_degrees", _OURS,
+    "camera_FRAME.json, or {FRAME: camera}", _is_soccernet, soccernet.camera_from,
+    partial(_by_frame, _is_soccernet, soccernet.camera_from),
 )  # fmt: skip
 TVCALIB = _row(
-    "tvcalib", "TVCalib per_sample_output.json", "image_ids", _OURS, soccernet.is_tvcalib, None,
-    soccernet.tvcalib_records, example="one record a line, or a list of them",
+    "tvcalib", "TVCalib per_sample_output.json", "image_ids", _OURS,
+    "one record a line, or a list of them", soccernet.is_tvcalib, None, soccernet.tvcalib_records,
 )  # fmt: skip
 STORAGE = CameraFormat(
     "opencv", "OpenCV FileStorage, YAML, XML or JSON", (*STORAGE_SUFFIXES, ".json"),
@@ -120,86 +109,84 @@ ROWS: tuple[CameraFormat, ...] = (
     TVCALIB,
     STORAGE,
     _row(
-        "broadtrack", "BroadTrack JSON", "PICTURE.cp", _OURS, soccernet.is_broadtrack,
-        None, soccernet.broadtrack_records, example='{PICTURE: {"cp": camera}}',
+        "broadtrack", "BroadTrack JSON", "PICTURE.cp", _OURS, '{PICTURE: {"cp": camera}}',
+        soccernet.is_broadtrack, None, soccernet.broadtrack_records,
     ),
     _row(
         "deepsportradar", "DeepSportRadar K, R, T list", "[].K, [].T",
         "cm, z down, origin at the far left corner of a FIBA court; moved to the centre",
-        sets.is_deepsportradar, None, sets.deepsportradar_records,
-        example="[size, {K, R, T, kc}, ...]: frames 0, 1, 2, ...",
+        "[size, {K, R, T, kc}, ...]: frames 0, 1, 2, ...", sets.is_deepsportradar, None,
+        sets.deepsportradar_records,
     ),
     _row(
         "synloc", "SoccerNet SynLoc (Spiideo)", "images[].camera_matrix",
-        "metres, z up, x across the field, y along it; turned", tracking_systems.is_synloc, None,
-        tracking_systems.synloc_records, example="val.json of COCO",
+        "metres, z up, x across the field, y along it; turned", "val.json of COCO",
+        systems.is_synloc, None, systems.synloc_records,
     ),
     _row(
         "opentrackio", "OpenTrackIO 1.0", "transforms, lens", _UP,
-        tracking_systems.is_opentrackio, tracking_systems.opentrackio_from,
-        tracking_systems.opentrackio_records, example="a sample, a list, or one a line",
+        "a sample, a list, or one a line", systems.is_opentrackio, systems.opentrackio_from,
+        systems.opentrackio_records,
     ),
     _parts(
-        "fifa", "FIFA Skeletal Tracking, K and k for each frame", "K[], k[], R, t",
-        f"{_UP} where the camera stands at z > 0", tracking_systems.FIFA, tracking_systems.is_fifa,
-        example="SEQUENCE.npz; R and t may be of the first frame alone",
+        "fifa", "FIFA Skeletal Tracking, K and k for each frame", "K[], k[], R, t", _UP_IF_ABOVE,
+        "SEQUENCE.npz; R and t may be of the first frame alone", systems.FIFA, systems.is_fifa,
     ),
     _parts(
-        "pose2sim", "Pose2Sim, Anipose, Caliscope TOML",
-        "NAME.matrix, NAME.rotation",
-        f"{_UP} where the camera stands at z > 0", tracking_systems.POSE2SIM,
-        suffixes=(TOML_SUFFIX, *JSON), example="Calib.toml: one camera a section",
+        "pose2sim", "Pose2Sim, Anipose, Caliscope TOML", "NAME.matrix, NAME.rotation",
+        _UP_IF_ABOVE, "Calib.toml: one camera a section", systems.POSE2SIM,
+        suffixes=(TOML_SUFFIX, *JSON),
     ),
     _parts(
-        "panoptic", "Panoptic Studio", "cameras[].distCoef",
-        "cm, y down, floor at y = 0; turned", sets.PANOPTIC, sets.is_panoptic,
-        example="calibration_SCENE.json",
+        "panoptic", "Panoptic Studio", "cameras[].distCoef", "cm, y down, floor at y = 0; turned",
+        "calibration_SCENE.json", sets.PANOPTIC, sets.is_panoptic,
     ),
     _parts(
         "vggt", "VGGT, MegaSaM", "intrinsic, extrinsic[] or cam_c2w[]",
-        "the first camera's, no unit: lay it upon the field first", tracking_systems.MODEL_WORLD,
-        tracking_systems.is_model_world, example="predictions.npz, SCENE_sgd_cvd_hr.npz",
+        "the first camera's, no unit: lay it upon the field first",
+        "predictions.npz, SCENE_sgd_cvd_hr.npz", systems.MODEL_WORLD, systems.is_model_world,
     ),
     _parts(
-        "krt", "K, R, t and distortion", "K, R", _OURS, KRT_KEYS, suffixes=(*JSON, TOML_SUFFIX),
-        example="a camera, {FRAME: camera}, {cameras: ...}, or arrays with one more axis",
+        "krt", "K, R, t and distortion", "K, R", _OURS,
+        "a camera, {FRAME: camera}, {cameras: ...}, or arrays with one more axis", KRT_KEYS,
+        suffixes=(*JSON, TOML_SUFFIX),
     ),
     _row(
         "polylines", "projected polylines, JSON", "", "none: where elements are in the picture",
-        None, polylines_from, polylines_records,
-        example="{CLASS: points}, {FRAME: {CLASS: points}}",
+        "{CLASS: points}, {FRAME: {CLASS: points}}", None, polylines_from, polylines_records,
     ),
     _row(
-        "projection", "3 x 4 projection matrix", "P", _OURS, is_projection,
-        projection_from, partial(_by_frame, is_projection, projection_from),
-        (*JSON, ".npy", ".txt"), example="{P: matrix}, .npy, 12 numbers, KITTI's P0: lines",
+        "projection", "3 x 4 projection matrix", "P", _OURS,
+        "{P: matrix}, .npy, 12 numbers, KITTI's P0: lines", is_projection, projection_from,
+        partial(_by_frame, is_projection, projection_from), (*JSON, ".npy", ".txt"),
     ),
     _row(
         "transforms", "transforms.json of radiance fields", "frames[].transform_matrix",
-        f"camera -> world, axes of OpenGL; {_UP}", sets.is_transforms, None,
-        sets.transforms_records, example="transforms.json",
+        f"camera -> world, axes of OpenGL; {_UP}", "transforms.json", sets.is_transforms, None,
+        sets.transforms_records,
     ),
     _row(
         "sccvsd", "World Cup 2014 homographies, MATLAB", "annotation[].homography",
-        f"115 x 74 {_YARDS}", partial(sets.is_annotation_set, "homography"), None,
-        partial(sets.annotation_records, sets.read_set_homography), example="annotation(i) in .mat",
+        f"115 x 74 {_YARDS}", "annotation(i) in .mat",
+        partial(sets.is_annotation_set, "homography"), None,
+        partial(sets.annotation_records, sets.read_set_homography),
     ),
     _row(
         "ptz-slam", "frames of one tripod, MATLAB", "annotation[].camera",
         "metres, z up, origin at the near left corner of 115 x 74 yards; moved, turned",
-        partial(sets.is_annotation_set, "camera"), None,
-        partial(sets.annotation_records, sets.read_ptz), example="annotation(i) in .mat",
+        "annotation(i) in .mat", partial(sets.is_annotation_set, "camera"), None,
+        partial(sets.annotation_records, sets.read_ptz),
     ),
     _row(
         "qualisys", "Qualisys calibration", "<calibration>, <cameras>",
-        "mm, z up; turned by half about x", tracking_systems.is_qualisys, None,
-        tracking_systems.qualisys_records, (".txt", ".xml"), example="NAME.qca.txt: serial numbers",
+        "mm, z up; turned by half about x", "NAME.qca.txt: serial numbers", systems.is_qualisys,
+        None, systems.qualisys_records, (".txt", ".xml"),
     ),
     _row(
         "table", "homographies or DLT parameters, CSV", "homography_matrix, h11, dlt_param_1",
         "metres from the field's centre; ShuttleSet's court is moved to its centre",
-        is_matrix_table, None, table_records, TABLE_SUFFIXES,
-        example="homography.csv; frame, h11 ... h33; .dlt2d, .dlt3d",
+        "homography.csv; frame, h11 ... h33; .dlt2d, .dlt3d", is_matrix_table, None, table_records,
+        TABLE_SUFFIXES,
     ),
     *(
         CameraFormat(
