@@ -29,7 +29,7 @@ from procc_annotator.calibration.single_image.propose import (
     estimate_pixel_aspect,
     propose_camera,
 )
-from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.dataset.dataset_field import video_pixel_aspect
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import CameraError, InputError, ProccError, UsageError
@@ -69,11 +69,21 @@ def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPo
                 loaded = collection.read(frame)
             except CameraError:  # a set is known by its others
                 continue
-            if isinstance(loaded.camera, PinholeCamera):
-                found.append((loaded.camera, loaded.size or OFFICIAL_SIZE))
+            if isinstance(loaded.camera, PinholeCamera | FisheyeCamera):
+                found.append((_as_pinhole(loaded.camera), loaded.size or OFFICIAL_SIZE))
     if not found:
         raise InputError(path, "holds no camera with a position (a homography has none)")
     return cluster_camera_positions(found, field)
+
+
+def _as_pinhole(camera: PinholeCamera | FisheyeCamera) -> PinholeCamera:
+    """Return the pinhole camera of a fisheye's pose, with its lens to the third order of the angle:
+    r = theta + k1 theta^3 is x + (k1 - 1/3) x^3 for x = tan(theta)."""
+    if isinstance(camera, PinholeCamera):
+        return camera
+    pose = camera.pan_rad, camera.tilt_rad, camera.roll_rad, camera.position_world
+    radial = (camera.coefficients[0] - 1 / 3, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return PinholeCamera(*pose, camera.focal_px, camera.principal_point_px, radial)
 
 
 def _from_table(path: Path) -> tuple[KnownPosition, ...]:

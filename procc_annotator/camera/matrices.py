@@ -80,8 +80,7 @@ def intrinsics_from_matrix(k: FloatArray, size: tuple[int, int] | None = None) -
     fx, fy, cx, cy = (float(v) for v in (k[0, 0], k[1, 1], k[0, 2], k[1, 2]))
     if fx == 0 or fy == 0 or not np.isfinite(k).all():
         raise ValueError("a focal length in K is zero or without bounds")
-    height = size[1] if size else 2 * abs(cy) + 1
-    moved = abs(float(k[0, 1])) * max(abs(cy), abs(height - 1 - cy)) / abs(fy)
+    moved = skew_px(k, size)
     if moved > SKEW_TOLERANCE_PX:
         raise ValueError(f"K has a skew, which moves pixels by up to {moved:.2g} px; none is known")
     notices = focal_warnings(fx, fy)
@@ -91,6 +90,13 @@ def intrinsics_from_matrix(k: FloatArray, size: tuple[int, int] | None = None) -
             f"the skew in K is left out (it moves no pixel by {SKEW_TOLERANCE_PX} px)",
         )
     return Intrinsics((fx, fy), (cx, cy), notices)
+
+
+def skew_px(k: FloatArray, size: tuple[int, int] | None = None) -> float:
+    """By how much the skew of a calibration matrix moves a pixel at most; as above, K[2, 2] = 1."""
+    fy, cy = abs(float(k[1, 1])), float(k[1, 2])
+    height = size[1] if size else 2 * abs(cy) + 1
+    return abs(float(k[0, 1])) * max(abs(cy), abs(height - 1 - cy)) / fy
 
 
 def decompose_projection(projection: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

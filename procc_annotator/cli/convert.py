@@ -15,10 +15,11 @@ from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import open_files, own_label_map
+from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.annotations.exchange import SIZE_UNKNOWN
-from procc_annotator.formats.annotations.registry import NAMES
+from procc_annotator.formats.annotations.registry import WRITTEN
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.submissions import POLYLINES
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
@@ -155,8 +156,9 @@ def convert(given: ConvertOptions) -> None:
         raise typer.Exit(_convert_to_polylines(given))
     if given.to in CAMERA_TARGETS:
         raise typer.Exit(_convert_cameras(given))
-    if given.to not in NAMES:
-        known_names = ", ".join((*NAMES, *CAMERA_TARGETS, POLYLINES))
+    names = [known.name for known in WRITTEN]
+    if given.to not in names:
+        known_names = ", ".join((*names, *CAMERA_TARGETS, POLYLINES))
         raise UsageError(f"no format {given.to!r}; there are {known_names}")
     raise typer.Exit(_convert_annotations(given))
 
@@ -255,7 +257,10 @@ def _cameras(
         raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
     with CameraCollection.open(source, given.from_) as cameras, _progress() as progress:
         if not cameras.frames:
-            raise UsageError(f"nothing to do: no camera (format {given.from_}) in {source}")
+            instead = found_instead_of_cameras(source)
+            raise UsageError(
+                f"nothing to do: no camera (format {given.from_}) in {source}{instead}"
+            )
         yield cameras, progress
 
 

@@ -30,9 +30,9 @@ from procc_annotator.report.outputs import is_archive
 
 AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
-    "soccernet", "tvcalib", "broadtrack", "deepsportradar", "krt", "polylines",
-    "projection", "transforms", "sccvsd", "ptz-slam", "opencv", "wc14", "carwc", "world",
-    "colmap", "easymocap",
+    "soccernet", "tvcalib", "opencv", "broadtrack", "deepsportradar", "synloc", "opentrackio",
+    "fifa", "pose2sim", "panoptic", "vggt", "krt", "polylines", "projection", "transforms",
+    "sccvsd", "ptz-slam", "qualisys", "table", "wc14", "carwc", "world", "colmap", "easymocap",
 )  # fmt: skip
 
 
@@ -189,7 +189,7 @@ def parse_size(text: str) -> tuple[int, int]:
     Raises:
         typer.BadParameter: anything else.
     """
-    found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text)
+    found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text, re.ASCII)
     if found is None or min(int(found[1]), int(found[2])) < 2:
         raise typer.BadParameter(f"{text!r} is not WIDTHxHEIGHT in pixels, e.g. 960x540")
     size = int(found[1]), int(found[2])

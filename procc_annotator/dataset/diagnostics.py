@@ -20,12 +20,14 @@ from procc_annotator.formats.annotations.yolo_pose import is_pose_label
 from procc_annotator.formats.cameras.registry import detected_title, suffixes_of
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
 from procc_annotator.formats.file_source import FileSource, open_source, suffix_of
+from procc_annotator.formats.unread_formats import unread_format
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.messages import pluralize
 
 # Suffixes that annotations, lists and notes have as well say nothing of cameras.
-_NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
+_NOT_CAMERAS_ALONE = frozenset({".json", ".jsonl", ".xml", ".txt", ".yml", ".yaml", ".bin"})
 _ANNOTATIONS = frozenset({".json", ".xml"})
+_TEXTS = frozenset({".json", ".xml", ".txt", ".out", ".yaml", ".yml"})
 _PACKED = "Frames-v3.zip"  # as SoccerNet-v3 is downloaded, one a game
 # So many files are read to identify what a set holds.
 _LOOKED_INTO = 3
@@ -96,6 +98,8 @@ def refuse_other_content(source: FileSource) -> None:
     except InputError:  # told by the reader of the format, for which it may be no problem
         return
     refuse_cameras(source, files)
+    if unread := _unread(source, names):
+        raise UsageError(f"nothing to do: no annotation in {source.path}{unread}")
     if any(suffix_of(name) in _ANNOTATIONS for name in names):
         return  # even if damaged: its reader says how
     if instead := found_instead_of_annotations(source):
@@ -109,7 +113,7 @@ def found_instead_of_cameras(place: Path) -> str:
         with open_source(place) as source:
             told = [known for known in detect_formats(source) if known.name != PLAIN]
             files = source.tree()
-            labels = _pose_labels(source, files)
+            labels, unread = _pose_labels(source, files), _unread(source, files)
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
         return ""
     if told:
@@ -120,6 +124,8 @@ def found_instead_of_cameras(place: Path) -> str:
         )
     if labels:
         return f"; it holds annotations ({pluralize(labels, 'file')} of YOLO pose, not read)"
+    if unread:
+        return unread
     if any(suffix_of(name) in suffixes_of() for name in files):
         return ""
     return f"; cameras are looked for in files of {', '.join(sorted(suffixes_of()))}"
@@ -130,6 +136,18 @@ def _camera_title(source: FileSource, name: str) -> str:
         return detected_title(source.read(name), source.display(name))
     except InputError:  # told where it is read
         return ""
+
+
+def _unread(source: FileSource, names: Sequence[str]) -> str:
+    """Return that the first files are of a program whose files are not read, and the way out."""
+    for name in names[:_LOOKED_INTO]:
+        try:
+            data = source.read(name) if suffix_of(name) in _TEXTS else b""
+        except InputError:  # told where it is read
+            continue
+        if (known := unread_format(name, data)) is not None:
+            return f"; {name.rpartition('/')[2]} {known.problem}: {known.advice}"
+    return ""
 
 
 def _pose_labels(source: FileSource, names: Sequence[str]) -> int:

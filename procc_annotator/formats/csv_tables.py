@@ -34,17 +34,18 @@ def encode_rows(rows: Iterable[Sequence[object]], line_end: str = "\n") -> bytes
     return text.getvalue().encode("utf-8", "backslashreplace")
 
 
-def csv_cells(path: Path) -> list[tuple[int, list[str]]]:
+def csv_cells(path: Path | str, data: bytes | None = None) -> list[tuple[int, list[str]]]:
     """Line number and cells of every row that is not empty.
 
     Args:
         path: of a CSV file, separated by commas, semicolons or tabs as its first line is.
+        data: its content; None to read it.
 
     Raises:
         InputError: it cannot be read, or is no CSV in UTF-8.
     """
     try:
-        text = read_file(path).decode("utf-8-sig")
+        text = (read_file(Path(path)) if data is None else data).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(path, "is not UTF-8 text", advice="save it as CSV in UTF-8") from error
     first = text.partition("\n")[0]
@@ -57,7 +58,7 @@ def csv_cells(path: Path) -> list[tuple[int, list[str]]]:
 
 
 def read_table(
-    path: Path, required: Sequence[str], advice: str
+    path: Path | str, required: Sequence[str], advice: str, data: bytes | None = None
 ) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
     """The columns of a table, and of every row its line number and cells by column.
 
@@ -65,11 +66,12 @@ def read_table(
         path: of a CSV file with a header.
         required: columns that it must have.
         advice: what the file should look like.
+        data: its content; None to read it.
 
     Raises:
         InputError: it cannot be read, or what is wrong and where.
     """
-    (at, header), *rows = csv_cells(path) or [(0, [])]
+    (at, header), *rows = csv_cells(path, data) or [(0, [])]
     if not at:
         raise InputError(path, "is empty", advice=advice)
     names = [cell.strip() for cell in header]

@@ -14,7 +14,7 @@ import msgspec
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.formats.annotations.soccernet import CAMERA_KEY, may_be_points
-from procc_annotator.formats.cameras.registry import suffixes_of
+from procc_annotator.formats.cameras.registry import ALONE_SUFFIXES, suffixes_of
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import (
     PICTURE_SUFFIX,
@@ -267,6 +267,11 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
         return splitext(name)[1].lower() in suffixes and name not in OWN_FILES
 
     names, in_tree = files_of(source, wanted)
+    if not names and fmt == "auto":
+        alone = [name for name in source.files() if splitext(name)[1].lower() in ALONE_SUFFIXES]
+        names, in_tree = (alone, False) if len(alone) == 1 else (names, in_tree)
+    texts = {name for name in names if name.endswith(".txt")}
+    names = [n for n in names if not (n.endswith(".bin") and f"{n[:-4]}.txt" in texts)]
     frame_of = _frame_of_camera_in_tree if in_tree else camera_frame
     called = [(frame_of(name), name) for name in names]
     json = [one for one in called if splitext(one[1])[1].lower() in _JSON]

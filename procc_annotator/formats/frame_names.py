@@ -12,7 +12,7 @@ from procc_annotator.errors import AnnotationError, UsageError
 from procc_annotator.formats.strict_json import json_kind, printable
 
 PICTURE_SUFFIX = re.compile(
-    r"\.(jpe?g|jfif|png|bmp|webp|tiff?|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
+    r"\.(jpe?g|jfif|png|bmp|webp|tiff?|jp2|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
 )
 # Where the published sets and other programs keep pictures.
 PICTURE_FOLDERS = ("images", "images/default", "img1", "v3_frames")

@@ -206,6 +206,20 @@ def is_finite_number(value: object) -> TypeGuard[float]:
     return type(value) is int and abs(value) < 1 << 1000
 
 
+def finite_number(text: str) -> float | None:
+    """The number that a text spells as every program reads it; None for any other text.
+
+    Python also reads 1_0 as ten, and digits of every script.
+    """
+    if not text.isascii() or "_" in text:
+        return None
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
 def json_repr(value: object) -> str:
     """A JSON value in an error message, as the file spells it; long ones cut."""
     return printable(json.dumps(value, ensure_ascii=False), 40)

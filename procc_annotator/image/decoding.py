@@ -13,11 +13,18 @@ import cv2
 import numpy as np
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.headers import header_size, is_truncated_png, require_valid_size
+from procc_annotator.image.headers import (
+    count_gif_frames,
+    header_size,
+    is_truncated_png,
+    require_valid_size,
+)
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr, require_decodable_size
 from procc_annotator.image.video import open_shared_video, video_frame_of_path
 from procc_annotator.regular_file import open_regular
 
+# What is wrong with a picture is raised; nothing is printed beside it.
+cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
 # Decoding at a fraction is 3-6 times faster for JPEG, where it skips most of the inverse DCT.
 _REDUCED_FLAGS = {
     8: cv2.IMREAD_REDUCED_COLOR_8,
@@ -143,6 +150,11 @@ def _decode(path: Path, data: PixelArray, flags: int) -> PixelArray:
     if size is None:  # OpenCV reads more kinds, some of which unpack without any limit
         raise _decode_error(path)
     require_decodable_size(path, *size)
+    if (frames := count_gif_frames(data.data)) > 1:
+        raise ImageError(
+            path, f"is an animation of {frames} pictures, expected one",
+            advice="make a video of it: ffmpeg -i FILE.gif -crf 12 FILE.mp4",
+        )  # fmt: skip
     if is_truncated_png(data.data):
         raise ImageError(path, "the picture cannot be decoded: a part of the file is missing")
     try:
@@ -155,7 +167,10 @@ def _decode(path: Path, data: PixelArray, flags: int) -> PixelArray:
 
 
 def _decode_error(path: Path) -> ImageError:
-    return ImageError(path, "the picture cannot be decoded: damaged, or not jpg, png, bmp, webp")
+    kinds = "jpg, png, bmp, webp, tiff, jp2, avif, gif"
+    return ImageError(
+        path, f"the picture cannot be decoded: damaged, not {kinds}, or more than 16 bits a channel"
+    )
 
 
 _MIN_KEPT = 3  # the frame on screen and the two that may come next

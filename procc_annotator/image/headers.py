@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, Literal
 
 from procc_annotator.errors import ImageError
 
-PICTURE_SUFFIXES = frozenset({".jpg", ".jpeg", ".png", ".bmp", ".webp"})
-VIDEO_SUFFIXES = frozenset({".mp4", ".mov", ".mkv", ".avi", ".m4v", ".ts"})
+PICTURE_SUFFIXES = frozenset({
+    ".jpg", ".jpeg", ".png", ".bmp", ".webp", ".tif", ".tiff", ".jp2", ".avif", ".gif",
+})  # fmt: skip
+VIDEO_SUFFIXES = frozenset({
+    ".mp4", ".mov", ".mkv", ".avi", ".m4v", ".ts", ".mts", ".m2ts", ".mxf", ".webm", ".mpg",
+    ".mpeg",
+})  # fmt: skip
 
 
 _MAX_ASPECT_RATIO = 20  # times the shorter side: more than any panorama
+_TIFF_SIGNATURES = (b"II*\0", b"MM\0*")
+_GIF_FRAME = re.compile(rb"\x21\xf9\x04.{4}\0\x2c", re.DOTALL)
 _PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 # Enough for every header but those with a large thumbnail in front.
 _HEADER_BYTES = 1 << 16
@@ -41,7 +49,7 @@ def require_valid_size(path: Path, width: int, height: int) -> None:
 
 
 def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
-    """(width, height) px as stored, before any EXIF turn; None unless jpg, png, bmp or webp."""
+    """(width, height) px as stored, before any turn; None unless of `PICTURE_SUFFIXES`."""
     if bytes(data[:8]) == _PNG_SIGNATURE and len(data) >= 24:
         return _big_endian(data[16:20]), _big_endian(data[20:24])
     if bytes(data[:2]) == b"\xff\xd8":
@@ -50,7 +58,19 @@ def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
         return _bmp_size(data)
     if bytes(data[:4]) == b"RIFF" and bytes(data[8:12]) == b"WEBP" and len(data) >= 30:
         return _webp_size(data)
+    if bytes(data[:4]) in _TIFF_SIGNATURES:
+        return _tiff_size(data)
+    if bytes(data[:4]) == b"GIF8" and len(data) >= 10:
+        return _little_endian(data[6:8]), _little_endian(data[8:10])
+    if bytes(data[4:8]) in (b"ftyp", b"jP  "):
+        return _box_size(bytes(data[:_HEADER_BYTES]))
     return None
+
+
+def count_gif_frames(data: bytes | memoryview) -> int:
+    """Return how many pictures a GIF shows one after another; 0 for any other file."""
+    is_gif = bytes(data[:4]) == b"GIF8"
+    return len(_GIF_FRAME.findall(data)) if is_gif else 0
 
 
 def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
@@ -71,6 +91,8 @@ def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
         turned = _may_have_exif(file, 8, _png_chunk)
     elif start[:4] == b"RIFF":
         turned = _may_have_exif(file, 12, _webp_chunk)
+    elif start[:4] in _TIFF_SIGNATURES or start[4:8] == b"ftyp":
+        turned = True  # both have a tag for it
     else:
         turned = b"Exif" in start
     return None if turned else header_size(start)
@@ -161,3 +183,30 @@ def _webp_size(data: bytes | memoryview) -> tuple[int, int] | None:
     if kind == b"VP8 ":
         return _little_endian(data[26:28]) & 0x3FFF, _little_endian(data[28:30]) & 0x3FFF
     return None
+
+
+def _tiff_size(data: bytes | memoryview) -> tuple[int, int] | None:
+    """Of the first picture: tags 256 and 257 of its directory, which may stand at the end."""
+    order: Literal["little", "big"] = "little" if bytes(data[:2]) == b"II" else "big"
+
+    def number(place: int, count: int) -> int:
+        return int.from_bytes(data[place : place + count], order)
+
+    place = number(4, 4)
+    found = {}
+    for entry in range(place + 2, min(place + 2 + 12 * number(place, 2), len(data) - 11), 12):
+        tag, kind = number(entry, 2), number(entry + 2, 2)
+        if tag in (256, 257):
+            found[tag] = number(entry + 8, 2 if kind == 3 else 4)
+    return (found[256], found[257]) if len(found) == 2 else None
+
+
+def _box_size(data: bytes) -> tuple[int, int] | None:
+    """Of AVIF, the largest ``ispe`` (others are of thumbnails); of JPEG 2000, ``ihdr``."""
+    sizes = [
+        (_big_endian(data[at + 8 : at + 12]), _big_endian(data[at + 12 : at + 16]))
+        for at in (match.start() for match in re.finditer(b"ispe.{12}", data, re.DOTALL))
+    ]
+    if 0 < (at := data.find(b"ihdr")) <= len(data) - 12:
+        sizes = [(_big_endian(data[at + 8 : at + 12]), _big_endian(data[at + 4 : at + 8]))]
+    return max(sizes, key=lambda size: size[0] * size[1], default=None)

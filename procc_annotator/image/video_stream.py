@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import ImageError
+from procc_annotator.image.headers import VIDEO_SUFFIXES
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr, require_decodable_size
 from procc_annotator.regular_file import read_head
 
@@ -67,10 +68,10 @@ def require_video_file(path: Path) -> None:
     """Refuse what is no video before FFmpeg reads it: it also opens playlists and text.
 
     Raises:
-        ImageError: missing, not a file, empty, or neither mp4, mov, mkv, avi nor ts inside.
+        ImageError: missing, not a file, empty, or none of `VIDEO_SUFFIXES` inside.
     """
     try:
-        head = read_head(path, 189)
+        head = read_head(path, 197)
     except OSError as error:
         raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
     if not head:
@@ -78,9 +79,12 @@ def require_video_file(path: Path) -> None:
     boxes = (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip", b"pnot")
     known = head[4:8] in boxes or head[:4] == b"\x1a\x45\xdf\xa3"
     known |= head[:4] == b"RIFF" and head[8:12] == b"AVI "
-    known |= head[:1] == head[188:] == b"G"  # begins each packet of a transport stream
+    # Each packet of a transport stream begins so; those of m2ts after a time of 4 bytes.
+    known |= head[:1] == head[188:189] == b"G" or head[4:5] == head[196:197] == b"G"
+    known |= head[:4] in (b"\x06\x0e\x2b\x34", b"\0\0\x01\xba")  # MXF, MPEG program stream
     if not known:
-        raise ImageError(path, "expected a video, this is neither mp4, mov, mkv, avi nor ts inside")
+        kinds = ", ".join(sorted(suffix[1:] for suffix in VIDEO_SUFFIXES))
+        raise ImageError(path, f"expected a video, this is none of {kinds} inside")
 
 
 def open_container(path: Path) -> tuple[InputContainer, VideoStream]:

@@ -43,6 +43,7 @@ from procc_annotator.formats.annotations.shape_joining import ShapeCollector, ex
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
 from procc_annotator.formats.strict_json import decode_strict, json_repr, json_text, parse_number
+from procc_annotator.messages import pluralize
 
 DEFAULT_SPLIT = "default"
 # As COCO calls the files of its own sets: other programs know the kind of annotation by it.
@@ -56,7 +57,8 @@ def sniff(content: Any) -> bool:
     """Return whether decoded JSON is such a file."""
     if type(content) is not dict or any(type(content.get(key)) is not list for key in _LISTS):
         return False
-    return not any(type(i) is dict and "image_id" in i for i in content["images"][:10])
+    other = ("image_id", "camera_matrix", "polylines")  # game state, SynLoc's cameras, FiftyOne
+    return not any(type(i) is dict and any(k in i for k in other) for i in content["images"][:10])
 
 
 def read_many(
@@ -68,6 +70,13 @@ def read_many(
             path = source.display(name)
             reading.begin(name)
             content = _decode(source.read(name), path)
+            without = not any(category.get("keypoints") for category in content["categories"])
+            if content["images"] and without and not content["annotations"]:
+                raise AnnotationError(
+                    path, f"holds {pluralize(len(content['images']), 'picture')}, no annotation",
+                    advice="CVAT writes no polylines as COCO: export CVAT for images 1.1 or"
+                    " Datumaro",
+                )  # fmt: skip
             reading.begin(name, (image.get("file_name") for image in content["images"]))
             kinds = {
                 _id(c, "id"): _kind(c, f"categories[{i}]", path, reading)

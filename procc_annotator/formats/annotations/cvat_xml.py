@@ -22,6 +22,7 @@ from procc_annotator.formats.annotations.exchange import (
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector
 from procc_annotator.formats.strict_json import number_text, parse_number, printable
+from procc_annotator.formats.xml_text import parse_xml
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -29,8 +30,9 @@ if TYPE_CHECKING:
 LABELS_NAME = "labels.json"
 _GREY = "#808080"
 _COURSES = frozenset({"polyline", "points", "polygon"})
-_NUMBER = re.compile(r"\s*[-+]?(\d{1,64}(\.\d{0,64})?|\.\d{1,64})([eE][-+]?\d{1,4})?\s*")
-_WHOLE = re.compile(r"\s*\d{1,9}\s*")
+# Python's \d and int() take digits of every script; no other program does.
+_NUMBER = re.compile(r"\s*[-+]?(\d{1,64}(\.\d{0,64})?|\.\d{1,64})([eE][-+]?\d{1,4})?\s*", re.ASCII)
+_WHOLE = re.compile(r"\s*\d{1,9}\s*", re.ASCII)
 # XML 1.0 has no way to spell these.
 _UNSPELLABLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -41,31 +43,7 @@ def parse(data: bytes, path: str) -> Element:
     Raises:
         AnnotationError: it is no file of CVAT.
     """
-    from xml.etree.ElementTree import ParseError
-
-    from defusedxml import ElementTree  # type: ignore[import-untyped]
-    from defusedxml.common import DefusedXmlException  # type: ignore[import-untyped]
-
-    try:
-        root: Element = ElementTree.fromstring(data, forbid_dtd=True)
-    except DefusedXmlException as error:
-        raise AnnotationError(
-            path,
-            "declares entities or a document type, which no file of CVAT does",
-            advice="it is not read; export it again from CVAT",
-        ) from error
-    except ParseError as error:
-        line, column = error.position
-        raise AnnotationError(
-            path,
-            f"is not valid XML: {str(error).partition(':')[0]}",
-            place=f"line {line} column {column + 1}",
-            advice="the file may be cut off: export it again",
-        ) from error
-    except (ValueError, LookupError) as error:  # an encoding nobody knows
-        raise AnnotationError(
-            path, f"is not readable XML: {printable(str(error), 120)}", advice="save it as UTF-8"
-        ) from error
+    root = parse_xml(data, path, AnnotationError, "export it again from CVAT")
     if root.tag != "annotations":
         raise AnnotationError(
             path,

@@ -29,6 +29,7 @@ from procc_annotator.formats.annotations.exchange import (
     WriteContext,
 )
 from procc_annotator.formats.annotations.label_map import LabelMap
+from procc_annotator.formats.annotations.labelling_tools import TOOLS, decode_lines
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.annotations.soccernet_set import require_soccernet
 from procc_annotator.formats.file_listing import (
@@ -88,6 +89,10 @@ class AnnotationFormat:
     pictures: str | None = "{split}"
     split: str = ""
     by_game: bool = False
+
+
+def _only_read(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
+    raise UsageError("this format can only be read, not written")
 
 
 LABELME = "labelme"
@@ -151,9 +156,15 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "pictures of the lines", "the clicks: masks are not read back",
         masks.write_many, pictures=None,
     ),
+    *(
+        AnnotationFormat(
+            tool.name, tool.title, tool.example, True, "nothing: it is not written", "all",
+            _only_read, tool.read_many, sniff_json=tool.sniff,
+        )
+        for tool in TOOLS
+    ),
 )  # fmt: skip
-
-
+WRITTEN = tuple(known for known in FORMATS if known.write is not _only_read)
 NAMES: tuple[str, ...] = tuple(f.name for f in FORMATS)
 
 
@@ -280,6 +291,10 @@ def _decoded(data: bytes) -> Any:
     try:
         return json.loads(data.decode("utf-8-sig"))
     except (ValueError, RecursionError):
+        pass
+    try:  # one value a line, or a table
+        return decode_lines(data, "")
+    except InputError:
         return None
 
 
@@ -293,6 +308,8 @@ def _is_damaged(source: FileSource, name: str) -> bool:
 def _files(source: FileSource) -> list[str]:
     """The JSON and XML files that may be annotations; those of a tree where all files at its top
     are of another kind."""
+    if source.path.suffix.lower() == ".csv":  # beside annotations a table is of something else
+        return list(source.files())
     names, in_tree = files_of(source, _may_be_annotations)
     if in_tree or not names or any(_detected(source, names)):
         return names
@@ -303,7 +320,8 @@ def _files(source: FileSource) -> list[str]:
 
 
 def _may_be_annotations(name: str) -> bool:
-    return _is_xml(name) or (name.lower().endswith(".json") and may_be_annotation(name))
+    is_json = name.lower().endswith((".json", ".ndjson", ".jsonl"))
+    return _is_xml(name) or (is_json and may_be_annotation(name))
 
 
 def _is_xml(name: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 import struct
 import tokenize
 import warnings
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.errors import CameraError
+from procc_annotator.formats.cameras.json_values import is_camera_key
 from procc_annotator.formats.strict_json import printable
 
 MAGIC = b"MATLAB 5.0 MAT-file"
@@ -264,6 +266,9 @@ NPY_ERRORS = (
 _NPZ_ERRORS = (*NPY_ERRORS, zipfile.BadZipFile, zlib.error, RuntimeError, NotImplementedError)
 _LARGEST_MEMBER = 4 * 1024 * 1024  # the projection matrices of 40,000 frames
 _MOST_MEMBERS = 20_000
+_DEPTHS = ("depth", "depths")  # (frames, height, width)
+_HEADER_BYTES = 512
+_PARTS = frozenset("KRtPkTCDd")
 _NO_PICKLES = "it holds pickled objects, which are never read: they may run any program"
 
 
@@ -330,9 +335,15 @@ def _npz(data: bytes, path: str) -> dict[str, Any]:
             for member in members:
                 name = member.filename.removesuffix(".npy")
                 place = printable(name)
-                if member.file_size > _LARGEST_MEMBER:
-                    raise CameraError(path, "is too large for numbers of cameras", place=place)
                 with archive.open(member) as file:
+                    if name in _DEPTHS:  # a network's: as large as the pictures it was given
+                        shape = _shape(file.read(_HEADER_BYTES))
+                        content |= dict(zip(("height", "width"), shape[1:3], strict=False))
+                    if name in _DEPTHS or member.file_size > _LARGEST_MEMBER:
+                        if is_needed(name):
+                            problem = "is too large for numbers of cameras"
+                            raise CameraError(path, problem, place=place)
+                        continue  # pictures or point clouds
                     array = npy_array(file.read(member.file_size + 1), path, "arrays")
                 content[name] = _plain(array)
     except CameraError:
@@ -343,6 +354,18 @@ def _npz(data: bytes, path: str) -> dict[str, Any]:
             path, f"is not a readable .npz archive: {why}", advice="write it again with numpy.savez"
         ) from error
     return content
+
+
+def is_needed(name: str) -> bool:
+    """Return whether an array's name is that of a part of a camera."""
+    return name in _PARTS or is_camera_key(name)
+
+
+def _shape(head: bytes) -> tuple[int, ...]:
+    """The shape in the head of an ``.npy`` file of one network's run, without its batch axis."""
+    found = re.search(rb"'shape': \(([0-9, ]*)\)", head)
+    shape = tuple(map(int, found[1].replace(b",", b" ").split())) if found else ()
+    return shape[1:] if len(shape) == 5 else shape
 
 
 def _plain(array: NDArray[Any]) -> Any:

@@ -20,6 +20,7 @@ from procc_annotator.formats.cameras.fit_record import (
     LeftOutTables,
     folders_of,
 )
+from procc_annotator.formats.cameras.krt_sets import BY_ORDER
 from procc_annotator.formats.cameras.loaded_camera import (
     NAME_THE_FORMAT,
     CameraRecords,
@@ -29,12 +30,13 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.formats.cameras.paired_files import paired_records
 from procc_annotator.formats.cameras.registry import (
+    PAIRED_FORMATS,
     PointsError,
     format_of,
     plugin_problems,
     read_camera_file,
 )
-from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_cameras
+from procc_annotator.formats.file_listing import CAMERA_PREFIX, camera_frame, list_cameras
 from procc_annotator.formats.file_source import FileSource, open_source
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS, ByFrame
 from procc_annotator.formats.strict_json import printable
@@ -91,7 +93,7 @@ class CameraCollection:
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
         self.notices = (*files.notices, *plugin_problems())
-        if found := paired_records(source, files, fmt, about_to_read):
+        if found := paired_records(PAIRED_FORMATS, source, files, fmt, about_to_read):
             self._take({own: file for own, file in files.items() if file in found}, found)
         else:
             self._look_into(files)
@@ -276,7 +278,9 @@ class CameraCollection:
 
 def _by_folders(found: dict[str, CameraRecords]) -> dict[str, CameraRecords]:
     """Files of many cameras next to each other; frames are called by their paths where each file is
-    of the pictures of another folder."""
+    of the pictures of another folder, and by the file where none names its frames."""
+    if len(found) > 1 and all(BY_ORDER in records.notices for records in found.values()):
+        return {f: records.below(camera_frame(f)) for f, records in found.items()}
     folders = [records.only_folder for records in found.values()]
     if len(folders) < 2 or "" in folders or len({*folders}) < len(folders):
         return found

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,13 +11,15 @@ from procc_annotator.camera.models import HomographyCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array
 from procc_annotator.formats.cameras.json_values import JsonValues
-from procc_annotator.formats.cameras.krt import BY_ORDER, projection_from
+from procc_annotator.formats.cameras.krt import projection_from
+from procc_annotator.formats.cameras.krt_sets import BY_ORDER
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
-from procc_annotator.formats.strict_json import printable, utf8_text
+from procc_annotator.formats.strict_json import finite_number, printable, utf8_text
 
 YARD_M = 0.9144
 HOMOGRAPHY_SIZE = (1280, 720)
 _LARGEST_FILE = 64 * 1024
+_ROTATION_TOLERANCE = 1e-3  # numbers of three digits
 _TURNED = "takes the ground to the picture, not the picture to the ground"
 _CHOOSE = " (expected metres from the field's centre, or the units of the camera format)"
 # Half the length and width of the largest field, soccer's, and how far next to it a camera may
@@ -204,22 +204,12 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
         for word in line.partition("#")[0].replace(",", " ").split():
-            number = _number(word)
+            number = finite_number(word)
             if number is None:
                 problem = f"expected a finite number, found {word[:40]!r}"
                 raise JsonValues({}, path).error(problem, f"line {line_number}")
             numbers.append(number)
     return numbers
-
-
-def _number(word: str) -> float | None:
-    try:
-        number = float(word)
-    except ValueError:
-        return None
-    # Python reads 1_0 as ten, and digits of every script; no other program would.
-    plain = word.isascii() and "_" not in word
-    return number if math.isfinite(number) and plain else None
 
 
 def _finite(matrix: FloatArray, path: str) -> FloatArray:
@@ -231,7 +221,8 @@ def _finite(matrix: FloatArray, path: str) -> FloatArray:
     return matrix
 
 
-_LARGEST_TEXT = 4096  # of twelve numbers
+_LARGEST_TEXT = 4096  # of sixteen numbers
+_SHAPES = {9: (3, 3), 12: (3, 4), 16: (4, 4)}  # by the numbers of a matrix
 
 
 def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
@@ -240,48 +231,64 @@ def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
     Raises:
         CameraError: no matrix of a camera.
     """
-    rows = _projection(data, path)
-    if rows is not None:
-        return projection_from(rows, path)
     is_npy = data.startswith(NPY_MAGIC) or path.lower().endswith(".npy")
+    if data.startswith(NPY_MAGIC):
+        array = npy_array(data, path, "3 x 3 numbers")
+        if array.shape in ((3, 4), (4, 4)) and array.dtype.kind in "fiu":
+            return _of_projection(_finite(array.astype(np.float64), path), path)
+    elif not is_npy and len(data) <= _LARGEST_TEXT:
+        numbers = numbers_of_text(data, path)
+        if len(numbers) in (12, 16):
+            return _of_projection(np.array(numbers).reshape(_SHAPES[len(numbers)]), path)
+        _check_count(numbers, path)
     convention = "carwc" if is_npy else "wc14"
-    if not is_npy and len(data) <= _LARGEST_TEXT:
-        _check_count(numbers_of_text(data, path), path)
     return read_homography(data, path=path, convention=convention, assumed=True)
 
 
 def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
-    """The cameras of an ``.npy`` with a matrix a frame; None for a file of one.
+    """The cameras of an ``.npy`` with a matrix a frame, or of text with one a line; None for a file
+    of one.
 
     Raises:
         CameraError: damaged.
     """
-    if not data.startswith(NPY_MAGIC):
-        return None
-    array = npy_array(data, path, "3 x 3 numbers")
-    if array.ndim != 3 or array.dtype.kind not in "fiu" or array.shape[1:] not in ((3, 3), (3, 4)):
-        return None
-    found = [
-        (str(i), CameraRecord(f"[{i}]", matrix)) for i, matrix in enumerate(array.astype(float))
-    ]
+    if data.startswith(NPY_MAGIC):
+        array = npy_array(data, path, "3 x 3 numbers")
+        if array.ndim != 3 or array.dtype.kind not in "fiu":
+            return None
+        if array.shape[1:] not in _SHAPES.values():
+            return None
+        matrices = array.astype(float)
+    else:
+        lines = [line.partition(b"#")[0].replace(b",", b" ").split() for line in data.splitlines()]
+        lines = [line for line in lines if line]
+        count = len(lines[0]) if lines else 0
+        if len(lines) < 2 or count not in _SHAPES or any(len(line) != count for line in lines):
+            return None
+        matrices = np.array(numbers_of_text(data, path)).reshape(-1, *_SHAPES[count])
+    found = [(str(i), CameraRecord(f"[{i}]", matrix)) for i, matrix in enumerate(matrices)]
     return CameraRecords.of(path, found, _of_stack, (BY_ORDER,))
 
 
-def _projection(data: bytes, path: str) -> list[list[float]] | None:
-    if data.startswith(NPY_MAGIC):
-        array = npy_array(data, path, "3 x 3 numbers")
-        if array.shape != (3, 4) or array.dtype.kind not in "fiu":
-            return None
-        rows: list[list[float]] = array.astype(np.float64).tolist()
-        return rows
-    if len(data) > _LARGEST_TEXT or len(re.sub(rb"#.*|,", b" ", data).split()) != 12:
-        return None
-    numbers = np.array(numbers_of_text(data, path))
-    return [[float(number) for number in row] for row in numbers.reshape(3, 4)]
+def _of_projection(matrix: FloatArray, path: str, inside: str = "") -> LoadedCamera:
+    """The camera of (3, 4), or of (4, 4) with a last row that counts for nothing.
+
+    Raises:
+        CameraError: no camera, or a pose alone.
+    """
+    left = matrix[:3, :3]
+    if np.allclose(left @ left.T, np.eye(3), atol=_ROTATION_TOLERANCE):
+        raise CameraError(
+            path,
+            "holds a pose (a rotation and a translation) without a lens, expected K [R | t]",
+            place=inside,
+            advice="save both: numpy.savez(name, K=K, w2c=pose), or c2w for camera to world",
+        )
+    return projection_from(matrix[:3].tolist(), path, inside)
 
 
 def _check_count(numbers: list[float], path: str) -> None:
-    if len(numbers) not in (9, 12):
+    if len(numbers) != 9:
         worlds = ", ".join(CONVENTIONS)
         raise CameraError(
             path,
@@ -294,8 +301,8 @@ def _check_count(numbers: list[float], path: str) -> None:
 def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
     if not np.isfinite(content).all():
         raise JsonValues({}, path).error("expected finite numbers", inside)
-    if content.shape == (3, 4):
-        return projection_from(content.tolist(), path, inside)
+    if content.shape != (3, 3):
+        return _of_projection(content, path, inside)
     world = CONVENTIONS["carwc"].world_from_units
     return camera_from_homography(
         content, world, HOMOGRAPHY_SIZE, path=path, place=inside, assumed=True

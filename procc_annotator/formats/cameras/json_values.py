@@ -73,6 +73,19 @@ class JsonValues:
             )
         return cls(value, path, inside, kind, nested)
 
+    def part(self, key: str, index: int | None = None) -> JsonValues:
+        """The object under a key, or in the list under it.
+
+        Raises:
+            CameraError: there is none.
+        """
+        value = self.content.get(key)
+        place = f"{self.inside}.{key}" if self.inside else key
+        if index is not None:
+            value = value[index] if type(value) is list else None
+            place += f"[{index}]"
+        return JsonValues.of(value, self.path, place, self.kind)
+
     def __contains__(self, key: str) -> bool:
         return key in self.content
 

@@ -1,9 +1,9 @@
-"""Cameras as K, R, t and distortion: single, nested or stacked, and 3 x 4 projection matrices."""
+"""Cameras as K, R, t (or a pose matrix) and distortion, and as 3 x 4 projection matrices."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.matrices import (
+    SKEW_TOLERANCE_PX,
     calibration_matrix,
     decompose_projection,
     distortion_vector,
@@ -18,17 +19,13 @@ from procc_annotator.camera.matrices import (
     intrinsics_from_matrix,
     pinhole_from_parts,
     pose_from_rt,
+    skew_px,
     translation,
 )
-from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
+from procc_annotator.camera.models import FisheyeCamera, MatrixCamera, PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import JsonValues
-from procc_annotator.formats.cameras.loaded_camera import (
-    CameraRecord,
-    CameraRecords,
-    LoadedCamera,
-    with_notices,
-)
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, with_notices
 
 MODELS = ("pinhole", "fisheye")
 # Of 1 and of the largest number: files round. A lens may differ by 0.03 px.
@@ -40,54 +37,95 @@ class KrtKeys:
     """The keys, units and axes of a format of K, R, t; several spellings of a part must agree.
 
     Attributes:
+        k, r, t, position, distortion, model: spellings of each part.
+        pose: of a matrix [R | t], 3 x 4 or 4 x 4, world -> camera.
+        inverse_pose: the same, camera -> world; a camera's axes are x right, y down, z forward.
+        fisheye: flags in place of a model.
+        repeated: keys that repeat what the others say; not read.
+        size: of [width, height] of the picture, px.
         unit_m: metres of the format's unit of length.
         axes: (3, 3) our world's axes -> the format's; None where they are the same.
+        up_or_down: whether its files have z up or down: up if the camera stands at z > 0, for none
+            stands below the ground.
         origin: our world's origin in the format's world, in its unit.
         kind: what the object is, in messages.
+        remark: what a person should know of every camera of the format.
     """
 
-    k: tuple[str, ...] = ("K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "intrinsics")
+    k: tuple[str, ...] = (
+        "K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "intrinsics", "intrinsic",
+        "intrinsic_matrix", "intrinsics_matrix", "cam_K", "mtx",
+    )  # fmt: skip
     r: tuple[str, ...] = ("R", "rotation_matrix", "rvec", "rotation_vector", "rotation")
     t: tuple[str, ...] = ("t", "T", "tvec", "translation_vector", "translation")
     position: tuple[str, ...] = ("position", "C")
+    pose: tuple[str, ...] = (
+        "extrinsic", "extrinsics", "extrinsic_matrix", "extrinsics_matrix", "w2c", "cam_w2c",
+        "world_to_camera", "world2cam", "Rt", "RT",
+    )  # fmt: skip
+    inverse_pose: tuple[str, ...] = (
+        "c2w", "cam_c2w", "camera_to_world", "cam2world",
+    )  # fmt: skip
     distortion: tuple[str, ...] = (
         "dist", "distortion", "distortion_coefficients", "distortionCoefficients",
         "Distortion_Coefficients", "dist_coeffs", "distCoeffs", "distCoef", "D", "kc", "k",
     )  # fmt: skip
     model: tuple[str, ...] = ("model", "camera_model")
-    fisheye: tuple[str, ...] = ("fisheye", "fisheye_model")  # flags in place of a model
-    repeated: tuple[str, ...] = ()  # keys that repeat what the others say; not read
+    fisheye: tuple[str, ...] = ("fisheye", "fisheye_model")
+    repeated: tuple[str, ...] = ()
+    size: tuple[str, ...] = ()
     unit_m: float = 1.0
     axes: FloatArray | None = None
+    up_or_down: bool = False
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "a K, R, t camera"
+    remark: str = ""
 
     @property
     def used(self) -> tuple[str, ...]:
         """All spellings."""
-        parts = (self.k, self.r, self.t, self.position, self.distortion, self.model, self.fisheye)
-        return (*(key for part in parts for key in part), *self.repeated)
+        parts = (
+            self.k, self.distortion, self.model, self.fisheye, self.size, self.repeated, self.placed
+        )  # fmt: skip
+        return tuple(key for part in parts for key in part)
+
+    @property
+    def placed(self) -> tuple[str, ...]:
+        """All spellings of what says where a camera stands and looks."""
+        return (*self.r, *self.t, *self.position, *self.pose, *self.inverse_pose)
+
+    def are_in(self, content: object) -> bool:
+        """Return whether a decoded value has the keys of such a camera."""
+        return (
+            type(content) is dict
+            and any(key in content for key in self.k)
+            and any(key in content for key in (*self.r, *self.pose, *self.inverse_pose))
+        )
 
 
 KRT_KEYS = KrtKeys()
+# Our world's axes in those of a world with z up, and the other way round: half a turn about x.
+HALF_TURN = np.diag([1.0, -1.0, -1.0])
+TURNED = "its world has z up: turned by half about x"
+_APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
 
 
-def is_krt(content: object) -> bool:
-    """Return whether a decoded value has the keys of such a camera."""
-    return (
-        type(content) is dict
-        and any(key in content for key in KRT_KEYS.k)
-        and any(key in content for key in KRT_KEYS.r)
-    )
-
-
-def krt_from(content: object, path: str, inside: str = "") -> LoadedCamera:
+def krt_from(
+    content: object, path: str, inside: str = "", keys: KrtKeys = KRT_KEYS
+) -> LoadedCamera:
     """Read a camera from a decoded object.
 
     Raises:
         CameraError: names the place and what was expected.
     """
-    return camera_of_matrices(JsonValues.of(content, path, inside, KRT_KEYS.kind), KRT_KEYS)
+    return camera_of_matrices(JsonValues.of(flat_entry(content), path, inside, keys.kind), keys)
+
+
+def flat_entry(entry: Any) -> Any:
+    """A decoded camera without the objects that keep its intrinsics and its pose apart."""
+    apart = [key for key in _APART if type(entry) is dict and type(entry.get(key)) is dict]
+    own = {key: value for key, value in entry.items() if key not in apart} if apart else entry
+    return own | {name: v for key in apart for name, v in entry[key].items()} if apart else own
 
 
 def camera_of_matrices(
@@ -103,21 +141,25 @@ def camera_of_matrices(
     Raises:
         CameraError: a part is missing, or is not what it should be.
     """
-    size = size or values.size()
+    size = size or _size(values, keys)
     key, k = _agreeing(values, "3 x 3 numbers", keys.k, lambda key: values.matrix(key, 3, 3))
     try:
         inside = intrinsics_from_matrix(k, size)
     except ValueError as problem:
         raise values.error(str(problem), key) from problem
     rotation_key, rotation = _agreeing(
-        values, "3 x 3 numbers", keys.r, lambda key: _rotation(values, key), _SAME_POSE
-    )
+        values, "3 x 3 numbers", (*keys.r, *keys.pose, *keys.inverse_pose),
+        lambda key: _rotation(values, key, keys), _SAME_POSE,
+    )  # fmt: skip
     t_key, t = _agreeing(
-        values, "3 numbers", (*keys.t, *keys.position),
+        values, "3 numbers", (*keys.t, *keys.position, *keys.pose, *keys.inverse_pose),
         lambda key: _translation(values, key, rotation, keys),
         _SAME_POSE,
     )  # fmt: skip
-    rotation = rotation if keys.axes is None else rotation @ keys.axes
+    axes, remarks = keys.axes, ((keys.remark,) if keys.remark else ())
+    if keys.up_or_down and -(rotation.T @ t)[2] > 0:
+        axes, remarks = HALF_TURN, (*remarks, TURNED)
+    rotation = rotation if axes is None else rotation @ axes
     try:
         pose = pose_from_rt(rotation, t)
     except ValueError as problem:
@@ -134,8 +176,16 @@ def camera_of_matrices(
         camera = make(inside, pose, distortion.tolist())
     except ValueError as problem:
         raise values.error(str(problem), lens_key) from problem
-    notices = (*inside.notices, *pose.notices, *values.unused(*keys.used))
+    notices = (*inside.notices, *pose.notices, *remarks, *values.unused(*keys.used))
     return LoadedCamera(camera, model, size, notices=notices)
+
+
+def _size(values: JsonValues, keys: KrtKeys) -> tuple[int, int] | None:
+    key = values.first_of(*keys.size)
+    if key is None:
+        return values.size()
+    width, height = values.vector(key, 2)
+    return JsonValues({"width": width, "height": height}, values.path, values.inside).size()
 
 
 def centred_k(fx: float, fy: float, cx: float, cy: float) -> list[list[float]]:
@@ -166,7 +216,21 @@ def _agreeing(
     return first, found
 
 
-def _rotation(values: JsonValues, key: str) -> FloatArray:
+def _pose_matrix(values: JsonValues, key: str, keys: KrtKeys) -> FloatArray:
+    """(3, 4) [R | t], world -> camera, in the format's unit."""
+    rows = 4 if len(values.numbers(key)) == 16 else 3
+    matrix = values.matrix(key, rows, 4)
+    if rows == 4 and not np.allclose(matrix[3], (0, 0, 0, 1), atol=1e-6):
+        raise values.error("expected 0 0 0 1 as the last row of a pose", key)
+    if key in keys.inverse_pose:
+        turned = matrix[:3, :3].T
+        return np.column_stack((turned, -turned @ matrix[:3, 3]))
+    return matrix[:3]
+
+
+def _rotation(values: JsonValues, key: str, keys: KrtKeys) -> FloatArray:
+    if key in (*keys.pose, *keys.inverse_pose):
+        return _pose_matrix(values, key, keys)[:, :3]
     flat = values.numbers(key)
     if len(flat) == 3:
         vector = np.array(flat)
@@ -180,7 +244,8 @@ def _rotation(values: JsonValues, key: str) -> FloatArray:
 
 def _translation(values: JsonValues, key: str, rotation: FloatArray, keys: KrtKeys) -> FloatArray:
     """t in metres from our world's origin."""
-    flat = values.numbers(key)
+    is_matrix = key in (*keys.pose, *keys.inverse_pose)
+    flat = _pose_matrix(values, key, keys)[:, 3] if is_matrix else values.numbers(key)
     if len(flat) != 3:
         raise values.error(f"expected 3 numbers, found {len(flat)}", key)
     origin = np.array(keys.origin)
@@ -268,18 +333,23 @@ def projection_from(content: object, path: str, inside: str = "") -> LoadedCamer
 def camera_of_projection(
     matrix: FloatArray, size: tuple[int, int] | None, error: Any
 ) -> LoadedCamera:
-    """The pinhole camera of a matrix.
+    """The camera of a matrix.
 
     Args:
         matrix: (3, 4), metres of this project's world -> px.
         size: (width, height) px where it is known.
         error: makes the error of a problem.
 
+    Returns:
+        One of `MatrixCamera` where the matrix has a skew, which no lens model has.
+
     Raises:
-        CameraError: no camera, or one with a skew.
+        CameraError: no camera.
     """
     try:
         k, rotation, t = decompose_projection(matrix)
+        if skew_px(k, size) > SKEW_TOLERANCE_PX:
+            return LoadedCamera(MatrixCamera.of(matrix), MatrixCamera.model, size)
         inside, pose = intrinsics_from_matrix(k, size), pose_from_rt(rotation, t)
         camera = pinhole_from_parts(inside, pose, ())
     except ValueError as problem:
@@ -303,135 +373,3 @@ def _is_3x4(content: object) -> bool:
         and all(type(row) is list and len(row) == 4 for row in content)
         and not any(type(number) in (list, dict, str) for row in content for number in row)
     )
-
-
-NAME_KEYS = ("frames", "names", "image_names", "filenames", "images")
-_OWN_NAME = ("name", "image_name", "frame", "file_name", "id")
-_APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
-_STACKED = (*KRT_KEYS.r, "rvecs", *KRT_KEYS.t, "tvecs", "P", *KRT_KEYS.position)
-# What OpenCV's calibration tutorials call the same in their .npz files.
-_OPENCV_NAMES = {"mtx": "K", "rvecs": "rvec", "tvecs": "tvec"}
-_SHARED_LISTS = frozenset({*KRT_KEYS.k, "mtx", *KRT_KEYS.distortion})
-_DOME = frozenset({"K", "R", "t", "distCoef", "resolution"})
-_DOME_KEYS = KrtKeys(
-    k=("K",), r=("R",), t=("t",), position=(), distortion=("distCoef",), model=(),
-    repeated=("resolution",), unit_m=0.01, kind="a camera of the Panoptic Studio",
-    # The dome's axes in ours: x stays, our y is against its z, our z (down) is its y.
-    axes=np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]),
-)  # fmt: skip
-BY_ORDER = "the file names no frames: they are called 0, 1, 2 ... by the order in it"
-
-
-def is_nested(content: object) -> bool:
-    """Return whether a decoded value holds cameras under ``cameras``."""
-    return type(content) is dict and any(is_krt(entry) for _, _, entry in _nested(content))
-
-
-def is_stack(content: object) -> bool:
-    """Return whether a decoded value is an object of stacked matrices, one a frame."""
-    return type(content) is dict and _frames_of_stack(content) is not None
-
-
-def nested_records(content: object, path: str) -> CameraRecords:
-    """The cameras of a decoded file with ``cameras``.
-
-    Raises:
-        CameraError: it holds no camera.
-    """
-    found = [(name, CameraRecord(place, entry)) for name, place, entry in _nested(content)]
-    if not found:
-        raise CameraError(path, "holds no camera, expected K, R and t under 'cameras'")
-    beside = JsonValues.of(content, path, kind=KRT_KEYS.kind).unused("cameras")
-    return CameraRecords.of(path, found, _nested_from, beside)
-
-
-def stack_records(content: object, path: str) -> CameraRecords:
-    """One object of a frame's own matrices for each frame of a stack; read by what is in it.
-
-    Raises:
-        CameraError: stacks of different heights, or other names than frames.
-    """
-    assert type(content) is dict
-    count = _frames_of_stack(content)
-    assert count is not None
-    key = next((k for k in NAME_KEYS if type(content.get(k)) is list), None)
-    names = [str(name) for name in content[key]] if key else [str(i) for i in range(count)]
-    if len(names) != count:
-        raise CameraError(path, f"holds {len(names)} names for {count} cameras", place=str(key))
-    stacked = {k for k, v in content.items() if _is_stacked(k, v, count)}
-    entries = []
-    for i, name in enumerate(names):
-        own = {
-            _OPENCV_NAMES.get(k, k): v[i] if k in stacked else v
-            for k, v in content.items()
-            if k not in NAME_KEYS
-        }
-        entries.append((name.strip(), CameraRecord(f"[{i}]", own)))
-    return CameraRecords.of(path, entries, _own_from, () if key else (BY_ORDER,))
-
-
-def _own_from(content: object, path: str, inside: str) -> LoadedCamera:
-    read = projection_from if is_projection(content) else krt_from
-    return read(content, path, inside)
-
-
-def _nested(content: object) -> Iterator[tuple[str, str, Any]]:
-    cameras = content.get("cameras") if type(content) is dict else None
-    if type(cameras) is dict:
-        for name, entry in cameras.items():
-            yield name, f"cameras.{name}", _flatten_entry(entry)
-    elif type(cameras) is list:
-        for i, entry in enumerate(cameras):
-            own = entry if type(entry) is dict else {}
-            name = next((own[key] for key in _OWN_NAME if key in own), i)
-            yield str(name), f"cameras[{i}]", _flatten_entry(entry)
-
-
-def _flatten_entry(entry: Any) -> Any:
-    """A camera without the objects that keep its intrinsics and its pose apart."""
-    apart = [key for key in _APART if type(entry) is dict and type(entry.get(key)) is dict]
-    if not apart:
-        return entry
-    own = {key: value for key, value in entry.items() if key not in apart}
-    return own | {name: value for key in apart for name, value in entry[key].items()}
-
-
-def _nested_from(content: object, path: str, inside: str) -> LoadedCamera:
-    if type(content) is not dict or not content.keys() >= _DOME:
-        return krt_from(content, path, inside)
-    values = JsonValues(content, path, inside, _DOME_KEYS.kind)
-    width, height = values.vector("resolution", 2)
-    size = JsonValues({"width": width, "height": height}, path, inside).size()
-    return camera_of_matrices(values, _DOME_KEYS, size)
-
-
-def _frames_of_stack(content: dict[str, Any]) -> int | None:
-    """Return how many frames an object of stacked matrices is of; None for one that is no stack."""
-    counts = {
-        len(value)
-        for key, value in content.items()
-        if key in _STACKED and type(value) is list and _is_stacked(key, value, len(value))
-    }
-    return counts.pop() if len(counts) == 1 else None
-
-
-def _is_stacked(key: str, value: Any, count: int) -> bool:
-    if key in NAME_KEYS or type(value) is not list or len(value) != count:
-        return False
-    depth, inner = _depth(value)
-    if key in ("R", "rotation_matrix", "P"):
-        return depth == 3
-    if key in _SHARED_LISTS and key not in KRT_KEYS.distortion:
-        return depth == 3
-    if key in _STACKED:  # vectors: (N, 3) or (N, 3, 1), but not one column of three
-        return depth == 3 or (depth == 2 and inner == 3 and count > 1)
-    return depth == 2 and key in _SHARED_LISTS and inner >= 4 and count > 1
-
-
-def _depth(value: Any) -> tuple[int, int]:
-    """Return how deeply lists nest, and how long the innermost one is."""
-    depth = length = 0
-    while type(value) is list:
-        depth, length = depth + 1, len(value)
-        value = value[0] if value else None
-    return depth, length

@@ -13,7 +13,12 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import LeftOutResult
-from procc_annotator.formats.frame_names import PICTURE_FOLDERS, picture_folders_of, posix_path
+from procc_annotator.formats.frame_names import (
+    PICTURE_FOLDERS,
+    PICTURE_SUFFIX,
+    picture_folders_of,
+    posix_path,
+)
 from procc_annotator.formats.strict_json import printable
 
 
@@ -63,10 +68,6 @@ def with_notices(loaded: LoadedCamera, notices: Iterable[str]) -> LoadedCamera:
     """The same with more remarks for a person."""
     return replace(loaded, notices=(*loaded.notices, *notices))
 
-
-_PICTURE_SUFFIXES = frozenset(
-    {".jpg", ".jpeg", ".png", ".bmp", ".tif", ".tiff", ".webp", ".jp2", ".ppm", ".pgm"}
-)
 
 # Decoded content of one camera, the file, the place in it -> the camera.
 ReadRecord = Callable[[Any, str, str], LoadedCamera]
@@ -161,6 +162,14 @@ class CameraFormat:
         records: ``records(data, path=...)``, the cameras of a file that holds several, or None for
             a file that holds one; None for a format without such files.
         always_many: whether its files always hold several.
+        recognises: whether decoded content is of this format; None where content does not tell.
+        one: reads the camera of decoded content; None for a format of files with many.
+        many: the cameras of decoded content that holds several; None where it holds one.
+        pairs: names of the two files, poses and lenses, of a format that keeps these apart.
+        read_pair: the cameras of the bytes of both, with their names for messages.
+        keys: by which content is recognised, in messages and in the documentation.
+        world: units and axes of the file's world, and what is made of them.
+        example: names of files, for the documentation.
     """
 
     name: str
@@ -170,14 +179,21 @@ class CameraFormat:
     read: Callable[..., LoadedCamera]
     records: Callable[..., CameraRecords | None] | None = None
     always_many: bool = False
+    recognises: Callable[[Any], bool] | None = None
+    one: ReadRecord | None = None
+    many: Callable[[Any, str], CameraRecords | None] | None = None
+    pairs: tuple[tuple[str, str], ...] = ()
+    read_pair: Callable[[bytes, bytes, str, str], CameraRecords] | None = None
+    keys: str = ""
+    world: str = ""
+    example: str = ""
 
 
 def frame_of_image(name: str, by_path: bool = False) -> str:
     """The frame a picture's name stands for: without the suffix of a picture, and without folders
     unless it is called by its path."""
-    path = PurePosixPath(posix_path(name))
-    frame = path.stem if path.suffix.lower() in _PICTURE_SUFFIXES else path.name
-    return str(path.parent / frame) if by_path else frame
+    frame = PICTURE_SUFFIX.sub("", posix_path(name))
+    return str(PurePosixPath(frame)) if by_path else PurePosixPath(frame).name
 
 
 NAME_THE_FORMAT = "choose its camera format: world takes metres from the field's centre"
@@ -219,6 +235,8 @@ def with_plausibility_remark(loaded: LoadedCamera) -> LoadedCamera:
     doubt = ""
     if z > 0:
         doubt = f"stands {z:.3g} m below the ground: expected metres with z down"
+        if camera.rotation_cam_from_world[1, 2] < 0:  # the picture's lower edge is up there
+            doubt += ", and its z is up: negate y and z of its world"
     elif max(abs(x), abs(y), abs(z)) > _FAR_M:
         doubt = "stands more than a kilometre from the field's centre: expected metres"
     if not doubt:

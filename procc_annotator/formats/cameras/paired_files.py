@@ -1,6 +1,7 @@
-"""Formats that keep poses and intrinsics in two files: table of pairs, COLMAP text, EasyMocap.
+"""Formats that keep poses and intrinsics in two files: COLMAP (text, binary), EasyMocap.
 
-Facts on COLMAP: https://colmap.github.io/format.html and https://colmap.github.io/cameras.html. A
+Facts on COLMAP: https://colmap.github.io/format.html and https://colmap.github.io/cameras.html; the
+numbers of the binary models are those of its ``sensor/models.h``. A
 pose is world -> camera with axes as here (x right, y down, z forward), its rotation a quaternion
 w x y z.
 """
@@ -8,8 +9,8 @@ w x y z.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+import struct
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -20,6 +21,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import is_camera_key
 from procc_annotator.formats.cameras.krt import centred_k, krt_from
 from procc_annotator.formats.cameras.loaded_camera import (
+    CameraFormat,
     CameraRecord,
     CameraRecords,
     LoadedCamera,
@@ -27,9 +29,9 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.formats.cameras.opencv import storage_numbers
 from procc_annotator.formats.file_source import FileSource
-from procc_annotator.formats.strict_json import printable, utf8_text
+from procc_annotator.formats.strict_json import finite_number, printable, utf8_text
 
-IMAGES, CAMERAS = "images.txt", "cameras.txt"
+CAMERAS = "the file of lenses"
 # Parameters of each model in their order; those of one focal length have fx = fy.
 _MODELS: dict[str, tuple[str, ...]] = {
     "SIMPLE_PINHOLE": ("f", "cx", "cy"),
@@ -44,6 +46,13 @@ _MODELS: dict[str, tuple[str, ...]] = {
     "SIMPLE_RADIAL_FISHEYE": ("f", "cx", "cy", "k1"),
     "RADIAL_FISHEYE": ("f", "cx", "cy", "k1", "k2"),
 }  # fmt: skip
+# Binary files number the models and do not say how many parameters follow.
+_NUMBERED_MODELS = (
+    "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE",
+    "FULL_OPENCV", "FOV", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE",
+    "RAD_TAN_THIN_PRISM_FISHEYE",
+)  # fmt: skip
+_UNREAD_MODELS = {"FOV": 5, "THIN_PRISM_FISHEYE": 12, "RAD_TAN_THIN_PRISM_FISHEYE": 16}
 _PINHOLE_TERMS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 _FISHEYE_TERMS = ("k1", "k2", "k3", "k4")
 # Id -> model, width, height and parameters, as they are spelled.
@@ -60,10 +69,14 @@ def colmap_records(images: bytes, cameras: bytes, path: str, cameras_path: str) 
     Raises:
         CameraError: damaged, or without a picture.
     """
-    lenses = _lenses(cameras, cameras_path)
+    if cameras_path.lower().endswith(".bin"):
+        lenses = _Binary(cameras, cameras_path).lenses()
+        poses = _Binary(images, path).poses()
+    else:
+        lenses = _lenses(cameras, cameras_path)
+        poses = ((f"line {n}", words) for n, words in _poses(utf8_text(images, path)))
     found: list[tuple[str, CameraRecord]] = []
-    for number, words in _poses(utf8_text(images, path)):
-        place = f"line {number}"
+    for place, words in poses:
         name = " ".join(words[_POSE_WORDS - 1 :])
         if not frame_of_image(name):
             raise CameraError(path, "expected the name of a picture", place=place)
@@ -160,6 +173,58 @@ def _poses(text: str) -> Iterable[tuple[int, list[str]]]:
         points = True
 
 
+class _Binary:
+    """A binary file of COLMAP, little-endian: a count, then as many entries."""
+
+    def __init__(self, data: bytes, path: str) -> None:
+        self._data, self._path, self._at = data, path, 0
+
+    def lenses(self) -> Lenses:
+        """As of `_lenses`."""
+        found: Lenses = {}
+        for i in range(self._take("<Q")[0]):
+            own, kind, width, height = self._take("<iiQQ")
+            model = _NUMBERED_MODELS[kind] if 0 <= kind < len(_NUMBERED_MODELS) else ""
+            if not model:
+                raise CameraError(
+                    self._path, f"is of a lens of the model number {kind}, which is not known",
+                    place=f"camera {i + 1}", advice="write it as text: colmap model_converter"
+                    " --output_type TXT",
+                )  # fmt: skip
+            count = _UNREAD_MODELS.get(model) or len(_MODELS[model])
+            numbers = self._take(f"<{count}d")
+            found[str(own)] = (model, str(width), str(height), *map(repr, numbers))
+        return found
+
+    def poses(self) -> Iterator[tuple[str, list[str]]]:
+        """(place, words) of each picture, as of a line of the text file."""
+        for i in range(self._take("<Q")[0]):
+            own, *pose, lens = self._take("<i7di")
+            end = self._data.find(b"\0", self._at)
+            if end < 0:
+                raise self._cut()
+            name = self._data[self._at : end].decode("utf-8", "backslashreplace")
+            self._at = end + 1
+            features = self._take("<Q")[0]
+            self._at += 24 * features  # x, y and the point of each
+            if self._at > len(self._data):
+                raise self._cut()
+            yield f"image {i + 1}", [str(own), *map(repr, pose), str(lens), name]
+
+    def _take(self, layout: str) -> tuple[Any, ...]:
+        size = struct.calcsize(layout)
+        if self._at + size > len(self._data):
+            raise self._cut()
+        self._at += size
+        return struct.unpack_from(layout, self._data, self._at - size)
+
+    def _cut(self) -> CameraError:
+        return CameraError(
+            self._path, "ends within an entry", place=f"byte {len(self._data)}",
+            advice="the file may be cut off: copy it again",
+        )  # fmt: skip
+
+
 def _is_points(words: list[str]) -> bool:
     return len(words) % 3 == 0 and all(word[:1] in "-+.0123456789" for word in words)
 
@@ -167,11 +232,8 @@ def _is_points(words: list[str]) -> bool:
 def _numbers(words: Iterable[str], path: str, at: str) -> list[float]:
     found = []
     for word in words:
-        try:
-            number = float(word)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
+        number = finite_number(word)
+        if number is None:
             raise CameraError(
                 path, f"expected a finite number, found {printable(word, 40)!r}", place=at,
                 advice="the file may be cut off",
@@ -180,7 +242,6 @@ def _numbers(words: Iterable[str], path: str, at: str) -> list[float]:
     return found
 
 
-EXTRINSICS, INTRINSICS = "extri.yml", "intri.yml"
 _LENS = {"K_": "K", "dist_": "dist", "W_": "width", "H_": "height"}
 _POSE = {"Rot_": "R", "R_": "rvec", "T_": "t"}
 
@@ -228,42 +289,8 @@ def _by_name(
     return found, others
 
 
-@dataclass(frozen=True)
-class PairedFormat:
-    """A camera format of two files.
-
-    Attributes:
-        name, title: as of `CameraFormat`.
-        poses, lenses: the names of the two files.
-        records: the cameras, of the bytes of both and their names for messages.
-    """
-
-    name: str
-    title: str
-    poses: str
-    lenses: str
-    records: Callable[[bytes, bytes, str, str], CameraRecords]
-
-
-PAIRED_FORMATS = (
-    PairedFormat(
-        "colmap",
-        "COLMAP text model, images.txt and cameras.txt",
-        IMAGES,
-        CAMERAS,
-        colmap_records,
-    ),
-    PairedFormat(
-        "easymocap",
-        "EasyMocap, extri.yml and intri.yml",
-        EXTRINSICS,
-        INTRINSICS,
-        easymocap_records,
-    ),
-)
-
-
 def paired_records(
+    formats: Iterable[CameraFormat],
     source: FileSource,
     files: Mapping[str, str],
     fmt: str,
@@ -273,6 +300,7 @@ def paired_records(
     in each folder of a tree.
 
     Args:
+        formats: those of two files.
         source: where they are.
         files: frame name, as if each file were a frame's -> file to look at.
         fmt: what was asked for: ``auto``, or a name.
@@ -282,23 +310,24 @@ def paired_records(
         CameraError: one of a pair is there without the other, or it was asked for and none is.
         InputError: damaged, or not readable.
     """
-    for known in PAIRED_FORMATS:
+    for known in formats:
         if fmt not in ("auto", known.name):
             continue
+        assert known.read_pair is not None
         pairs = _pairs(source, known, files, asked_for=fmt != "auto")
         found = {}
         for folder, (poses, lenses) in pairs.items():
             about_to_read(poses)
             data = source.read(poses), source.read(lenses)
             shown = source.display(poses), source.display(lenses)
-            found[poses] = known.records(*data, *shown).below(folder)
+            found[poses] = known.read_pair(*data, *shown).below(folder)
         if found:
             return found
     return {}
 
 
 def _pairs(
-    source: FileSource, known: PairedFormat, files: Mapping[str, str], asked_for: bool
+    source: FileSource, known: CameraFormat, files: Mapping[str, str], asked_for: bool
 ) -> dict[str, tuple[str, str]]:
     """Folder that frames are called by -> both files of the pair in it."""
     by_folder: dict[str, dict[str, str]] = {"": {}} if asked_for and not files else {}
@@ -307,20 +336,22 @@ def _pairs(
         by_folder.setdefault(frame.rpartition("/")[0], {})[name] = file
     found = {}
     for folder, by_name in by_folder.items():
-        poses, lenses = (by_name.get(name) for name in (known.poses, known.lenses))
-        if poses is not None and lenses is not None:
-            found[folder] = poses, lenses
-        elif poses is not None or asked_for:  # cameras.txt and intri.yml alone may be anything
-            missing = known.poses if poses is None else known.lenses
+        there = [(by_name.get(poses), by_name.get(lenses)) for poses, lenses in known.pairs]
+        whole = [(poses, lenses) for poses, lenses in there if poses and lenses]
+        half = [pair for pair, (poses, _) in zip(known.pairs, there, strict=True) if poses]
+        if whole:
+            found[folder] = whole[0]
+        elif half or asked_for:  # cameras.txt and intri.yml alone may be anything
+            missing = half[0][1] if half else known.pairs[0][0]
             raise CameraError(
                 source.path / folder,
-                f"is without {missing}, expected {known.poses} and {known.lenses} side by side",
+                f"is without {missing}, expected {both_names(known.pairs)} side by side",
                 advice="give the folder that holds both",
             )
     return found
 
 
-def raise_half_of_pair(data: bytes, *, path: str, known: PairedFormat) -> LoadedCamera:
+def raise_half_of_pair(data: bytes, *, path: str, known: Sequence[tuple[str, str]]) -> LoadedCamera:
     """No file of a pair is a camera alone.
 
     Raises:
@@ -328,6 +359,11 @@ def raise_half_of_pair(data: bytes, *, path: str, known: PairedFormat) -> Loaded
     """
     raise CameraError(
         path,
-        f"is one file, expected {known.poses} and {known.lenses} side by side",
+        f"is one file, expected {both_names(known)} side by side",
         advice="give the folder that holds both",
     )
+
+
+def both_names(pairs: Sequence[tuple[str, str]]) -> str:
+    """Return the names of the files of a format of two."""
+    return " or ".join(f"{poses} and {lenses}" for poses, lenses in pairs)

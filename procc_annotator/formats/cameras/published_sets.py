@@ -21,7 +21,13 @@ from procc_annotator.formats.cameras.homography import (
     camera_from_homography,
 )
 from procc_annotator.formats.cameras.json_values import JsonValues
-from procc_annotator.formats.cameras.krt import KRT_KEYS, KrtKeys, camera_of_matrices, centred_k
+from procc_annotator.formats.cameras.krt import (
+    HALF_TURN,
+    KRT_KEYS,
+    KrtKeys,
+    camera_of_matrices,
+    centred_k,
+)
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraRecord,
     CameraRecords,
@@ -33,23 +39,38 @@ from procc_annotator.formats.cameras.loaded_camera import (
 from procc_annotator.formats.strict_json import json_kind
 
 _DEEPSPORTRADAR = KrtKeys(
-    k=("K",), r=("R",), t=("T",), position=(), distortion=("kc",), model=(), repeated=("C", "P"),
+    k=("K",), r=("R",), t=("T",), position=(), pose=(), inverse_pose=(), distortion=("kc",),
+    model=(), repeated=("C", "P"),
     unit_m=0.01,
     origin=(1400.0, 750.0, 0.0),  # the centre of a FIBA court from the corner that is their origin
     kind="a K, R, T camera of DeepSportRadar",
 )  # fmt: skip
-# World Cup 2014 in metres from a corner, z up; their axes in ours are half a turn about x.
-_HALF_TURN = np.diag([1.0, -1.0, -1.0])
+# World Cup 2014 in metres from a corner, z up.
 _PTZ = replace(
     KRT_KEYS,
-    axes=_HALF_TURN,
+    axes=HALF_TURN,
     origin=(115 / 2 * YARD_M, 74 / 2 * YARD_M, 0.0),
     kind="a K, R, t camera",
 )
-_TRANSFORMS = replace(KRT_KEYS, axes=_HALF_TURN, kind="a transforms.json")
+PANOPTIC = KrtKeys(
+    k=("K",), r=("R",), t=("t",), position=(), pose=(), inverse_pose=(), distortion=("distCoef",),
+    model=(), size=("resolution",), unit_m=0.01, kind="a camera of the Panoptic Studio",
+    # The dome's axes in ours: x stays, our y is against its z, our z (down) is its y.
+    axes=np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]),
+)  # fmt: skip
+_PANOPTIC_KEYS = {"K", "R", "t", "distCoef", "resolution"}
+_TRANSFORMS = replace(KRT_KEYS, axes=HALF_TURN, kind="a transforms.json")
 # What the challenge's code writes where it found no camera.
 _NO_CAMERA = [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]
 _REMARK = "cameras of a basketball court, for frames called 0, 1, 2 ... by their order in the file"
+
+
+def is_panoptic(content: object) -> bool:
+    """Return whether decoded content is a calibration of the Panoptic Studio."""
+    cameras = content.get("cameras") if type(content) is dict else None
+    return type(cameras) is list and any(
+        type(entry) is dict and entry.keys() >= _PANOPTIC_KEYS for entry in cameras
+    )
 
 
 def is_deepsportradar(content: object) -> bool:
@@ -211,7 +232,7 @@ def _transform(content: Any, path: str, inside: str) -> LoadedCamera:
     own = {
         "model": "fisheye" if is_fisheye else "pinhole",
         "K": centred_k(fx, fy, cx, cy),
-        "R": (_HALF_TURN @ matrix[:3, :3].T).tolist(),
+        "R": (HALF_TURN @ matrix[:3, :3].T).tolist(),
         "position": matrix[:3, 3].tolist(),
         "dist": [k1, k2, k3, k4] if is_fisheye else [k1, k2, p1, p2, k3],
         "width": size[0],

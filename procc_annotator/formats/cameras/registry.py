@@ -1,67 +1,44 @@
-"""The table of camera formats: how each is recognised and read."""
+"""Camera formats by name, suffix and content, and reading a camera file."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import partial
 from pathlib import PurePath
 from typing import Any
 
 from procc_annotator.errors import CameraError, UsageError
-from procc_annotator.formats.cameras.arrays import array_content, is_array_file
-from procc_annotator.formats.cameras.homography import (
-    CONVENTIONS,
-    matrix_records,
-    read_homography,
-    read_matrix_file,
+from procc_annotator.formats.cameras.content import (
+    TABLE_SUFFIXES,
+    TOML_SUFFIX,
+    decoded_content,
+    is_kitti,
+    is_xml,
 )
-from procc_annotator.formats.cameras.krt import (
-    is_krt,
-    is_nested,
-    is_projection,
-    is_stack,
-    krt_from,
-    nested_records,
-    projection_from,
-    stack_records,
-)
+from procc_annotator.formats.cameras.homography import matrix_records, read_matrix_file
+from procc_annotator.formats.cameras.krt import flat_entry
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraFormat,
-    CameraRecord,
     CameraRecords,
     LoadedCamera,
 )
 from procc_annotator.formats.cameras.opencv import is_storage, read_opencv
-from procc_annotator.formats.cameras.paired_files import PAIRED_FORMATS, raise_half_of_pair
 from procc_annotator.formats.cameras.plugins import load_plugin_formats
-from procc_annotator.formats.cameras.polylines import (
-    is_whole,
-    looks_like_points,
-    polylines_from,
-    polylines_records,
+from procc_annotator.formats.cameras.polylines import looks_like_points
+from procc_annotator.formats.cameras.soccernet import is_soccernet, is_tvcalib
+from procc_annotator.formats.cameras.table import (
+    HOMOGRAPHY_SUFFIXES,
+    JSON,
+    ROWS,
+    SOCCERNET,
+    STORAGE,
+    TVCALIB,
+    by_content,
 )
-from procc_annotator.formats.cameras.published_sets import (
-    annotation_records,
-    deepsportradar_records,
-    is_annotation_set,
-    is_deepsportradar,
-    is_transforms,
-    read_ptz,
-    read_set_homography,
-    transforms_records,
-)
-from procc_annotator.formats.cameras.soccernet import (
-    broadtrack_records,
-    camera_from,
-    is_broadtrack,
-    is_soccernet,
-    is_tvcalib,
-    tvcalib_records,
-)
-from procc_annotator.formats.strict_json import decode_fast, json_kind, printable, strip_bom
+from procc_annotator.formats.strict_json import json_kind, printable, strip_bom
+from procc_annotator.formats.unread_formats import unread_format
 from procc_annotator.translation import word
 
 __all__ = ["CAMERA_FORMATS", "CameraFormat", "LoadedCamera", "read_camera_file"]
@@ -69,9 +46,6 @@ __all__ = ["CAMERA_FORMATS", "CameraFormat", "LoadedCamera", "read_camera_file"]
 _ANNOTATION_ADVICE = (
     "annotations are no cameras; projected polylines are read with the camera format polylines"
 )
-
-
-ARRAY_SUFFIXES = (".npz", ".mat")
 SOCCERNET_PREFIX = "camera_"  # of its files' names
 
 
@@ -79,113 +53,18 @@ class PointsError(CameraError):
     """A file of points of classes where cameras were expected."""
 
 
-# Decoded content, the file, the place in it -> the camera.
-FromContent = Callable[[object, str, str], LoadedCamera]
-
-
-@dataclass(frozen=True)
-class JsonFormat:
-    """A camera format of JSON.
-
-    Attributes:
-        name, title: for the table of formats.
-        one: reads a file that holds one camera; None for a format of files with many.
-        many: the cameras of a decoded file that holds several; None where it holds one.
-        recognises: whether decoded content is of this format, for content no one named.
-        keys: by which content is recognised, for messages; empty for a format that is never
-            recognised by what is in it.
-    """
-
-    name: str
-    title: str
-    one: FromContent | None
-    many: Callable[[object, str], CameraRecords | None]
-    recognises: Callable[[object], bool]
-    keys: str = ""
-
-
-def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
-    return camera_from(content, path=path, inside=inside)
-
-
-def _is_soccernet(content: object) -> bool:
-    return type(content) is dict and is_soccernet(content)
-
-
-def _by_frame(
-    is_one: Callable[[object], bool], read: FromContent, content: object, path: str
-) -> CameraRecords | None:
-    if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
-        return None
-    found = [(name, CameraRecord(name, v)) for name, v in content.items()]
-    return CameraRecords.of(path, found, read)
-
-
-def _krt_records(content: object, path: str) -> CameraRecords | None:
-    if is_nested(content):
-        return nested_records(content, path)
-    if is_stack(content):
-        return stack_records(content, path)
-    return _by_frame(is_krt, krt_from, content, path)
-
-
-def _is_krt(content: object) -> bool:
-    return is_krt(content) or is_nested(content) or (is_stack(content) and not is_storage(content))
-
-
-SOCCERNET = JsonFormat(
-    "soccernet", "SoccerNet camera JSON", _soccernet,
-    partial(_by_frame, _is_soccernet, _soccernet), _is_soccernet, "pan_degrees, x_focal_length",
-)  # fmt: skip
-TVCALIB = JsonFormat(
-    "tvcalib", "TVCalib per_sample_output.json", None, tvcalib_records, is_tvcalib, "image_ids"
-)
-STORAGE = JsonFormat("opencv", "OpenCV FileStorage", None, lambda *_: None, is_storage)
-JSON_FORMATS = (
-    SOCCERNET,
-    TVCALIB,
-    JsonFormat(
-        "broadtrack", "BroadTrack JSON", None,
-        broadtrack_records, is_broadtrack, "cp of each picture",
-    ),
-    JsonFormat(
-        "deepsportradar", "DeepSportRadar K, R, T list", None,
-        deepsportradar_records, is_deepsportradar, "a list of K, R, T",
-    ),
-    JsonFormat("krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"),
-    JsonFormat(
-        "polylines", "projected polylines, JSON", polylines_from, polylines_records, is_whole,
-    ),
-    JsonFormat(
-        "projection", "3 x 4 projection matrix", projection_from,
-        partial(_by_frame, is_projection, projection_from), is_projection, "P of 3 x 4",
-    ),
-    JsonFormat(
-        "transforms", "transforms.json of radiance fields", None,
-        transforms_records, is_transforms, "frames of transform_matrix",
-    ),
-    JsonFormat(
-        "sccvsd", "World Cup 2014 homographies, MATLAB", None,
-        partial(annotation_records, read_set_homography),
-        partial(is_annotation_set, "homography"), "annotation of image_name, homography",
-    ),
-    JsonFormat(
-        "ptz-slam", "frames of one tripod, MATLAB", None, partial(annotation_records, read_ptz),
-        partial(is_annotation_set, "camera"), "annotation of image_name, camera",
-    ),
-)  # fmt: skip
 _SOCCERNET_KEYS = ("pan_degrees", "tilt_degrees", "position_meters", "x_focal_length")
 _HOMOGRAPHY_KEYS = ("H", "homography", "homography_matrix")
 _SHOWN_KEYS = 4
-_BY_NAME = {known.name: known for known in JSON_FORMATS}
+_BY_NAME = {row.name: row for row in ROWS}
 
 
 def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamera:
-    """The one camera of a JSON file.
+    """The one camera of a file that is read by its content.
 
     Args:
         data: the file's bytes. path: for messages.
-        name: one of `JSON_FORMATS`; None goes by the content.
+        name: of a row of the table; None goes by the content.
 
     Raises:
         CameraError: damaged, no camera, or several.
@@ -193,7 +72,7 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
     known, content = _recognised(data, path, name)
     if known is STORAGE:
         return read_opencv(data, path=path)
-    records = known.many(content, path)
+    records = known.many(content, path) if known.many is not None else None
     if records is not None:
         return only_record(records)
     assert known.one is not None  # formats without it have records or raise
@@ -201,13 +80,13 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
 
 
 def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRecords | None:
-    """The cameras of a JSON file that holds several, or None where it holds one.
+    """The same of a file that holds several; None where it holds one.
 
     Raises:
         CameraError: damaged, or no camera.
     """
     known, content = _recognised(data, path, name)
-    return known.many(content, path)
+    return known.many(content, path) if known.many is not None else None
 
 
 def detected_title(data: bytes, path: str) -> str:
@@ -219,15 +98,12 @@ def detected_title(data: bytes, path: str) -> str:
         return ""
 
 
-def _recognised(data: bytes, path: str, name: str | None) -> tuple[JsonFormat, Any]:
+def _recognised(data: bytes, path: str, name: str | None) -> tuple[CameraFormat, Any]:
     """The format of a file, by its name or by the content, and what was decoded; of TVCalib's lines
     the bytes."""
     if name == TVCALIB.name or (name is None and _is_lines(data)):
         return TVCALIB, data
-    if is_array_file(data) or path.lower().endswith(ARRAY_SUFFIXES):
-        content: Any = array_content(data, path)
-    else:
-        content = decode_fast(data, path=path, error=CameraError)
+    content = decoded_content(data, path)
     if name is not None:
         return _BY_NAME[name], content
     return STORAGE if is_storage(content) else _detected(content, path), content
@@ -248,9 +124,10 @@ def only_record(records: CameraRecords) -> LoadedCamera:
     return records.read(next(iter(records.entries)))
 
 
-def _detected(content: object, path: str) -> JsonFormat:
+def _detected(content: object, path: str) -> CameraFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
         return SOCCERNET
+    _refuse_unread(path, content=content)
     values = list(content.values()) if type(content) is dict else []
     if looks_like_points(content) or (
         values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
@@ -258,11 +135,13 @@ def _detected(content: object, path: str) -> JsonFormat:
         raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
     if type(content) is list and any(map(is_tvcalib, content)):
         return TVCALIB
-    for known in JSON_FORMATS[1:]:
-        if known.recognises(content):
+    for known in ROWS[1:]:
+        if known.recognises is not None and known.recognises(content):
             return known
-    for known in JSON_FORMATS:
-        if known.one is not None and any(map(known.recognises, values)):
+    for known in ROWS:
+        if known.one is None or known.recognises is None:
+            continue
+        if any(known.recognises(flat_entry(value)) for value in values):
             return known
     named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
     if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
@@ -277,12 +156,15 @@ def _unknown(content: object, path: str) -> CameraError:
             "holds a homography, and nothing tells which ground and which units it is of",
             advice="save it as .npy, and choose a camera format: wc14, carwc or world",
         )
-    found = json_kind(content)
+    tag = getattr(content, "tag", None)
+    found = json_kind(content) if tag is None else f"<{printable(str(tag), 30)}>"
     if type(content) is dict and content:
         keys = ", ".join(printable(str(key), 30) for key in list(content)[:_SHOWN_KEYS])
         more = ", ..." if len(content) > _SHOWN_KEYS else ""
         found = f"an object with {keys}{more}"
-    formats = "; ".join(f"{known.keys} ({known.name})" for known in JSON_FORMATS if known.keys)
+    suffix = os.path.splitext(path)[1].lower()
+    rows = [row for row in ROWS if row.keys and suffix in row.suffixes and row is not STORAGE]
+    formats = "; ".join(f"{row.keys} ({row.name})" for row in rows or ROWS if row.keys)
     return CameraError(
         path,
         f"holds no camera of a known format: found {found}, expected {formats}",
@@ -291,7 +173,7 @@ def _unknown(content: object, path: str) -> CameraError:
 
 
 def _is_camera(content: object) -> bool:
-    return any(known.recognises(content) for known in JSON_FORMATS)
+    return any(known.recognises is not None and known.recognises(content) for known in ROWS)
 
 
 def _is_lines(data: bytes) -> bool:
@@ -306,55 +188,56 @@ def _is_lines(data: bytes) -> bool:
         return False
 
 
-_HOMOGRAPHY_SUFFIXES = (".homographymatrix", ".txt", ".npy")
-_STORAGE_SUFFIXES = (".yml", ".yaml", ".xml")
-_JSON = (".json", ".jsonl", *ARRAY_SUFFIXES)
+def _read_any(data: bytes, *, path: str) -> LoadedCamera:
+    """The camera of a file that no one named the format of."""
+    if _is_matrix(data, path):
+        return read_matrix_file(data, path=path)
+    _refuse_unread(path, data)
+    if _is_storage_xml(data, path):
+        return read_opencv(data, path=path)
+    return read_json(data, path=path)
 
-FORMATS: tuple[CameraFormat, ...] = (
-    *(
-        CameraFormat(
-            known.name,
-            known.title,
-            _JSON,
-            (),
-            partial(read_json, name=known.name),
-            partial(json_records, name=known.name),
-            known.one is None,
-        )
-        for known in JSON_FORMATS
-    ),
-    CameraFormat(
-        "opencv", "OpenCV FileStorage, YAML, XML or JSON", (*_STORAGE_SUFFIXES, ".json"),
-        _STORAGE_SUFFIXES, read_opencv,
-    ),
-    *(
-        CameraFormat(
-            name,
-            f"homography, {rule.title}",
-            _HOMOGRAPHY_SUFFIXES,
-            (),
-            partial(read_homography, convention=name),
-        )
-        for name, rule in CONVENTIONS.items()
-    ),
-    *(
-        CameraFormat(
-            known.name,
-            known.title,
-            (os.path.splitext(known.poses)[1],),
-            (),
-            partial(raise_half_of_pair, known=known),
-        )
-        for known in PAIRED_FORMATS
-    ),
-)  # fmt: skip
+
+def _any_records(data: bytes, *, path: str) -> CameraRecords | None:
+    if _is_matrix(data, path):
+        return matrix_records(data, path=path)
+    _refuse_unread(path, data)
+    return None if _is_storage_xml(data, path) else json_records(data, path=path)
+
+
+def _refuse_unread(path: str, data: bytes = b"", content: Any = None) -> None:
+    """Refuse what is of a program whose files are not read."""
+    if (unread := unread_format(path, data, content)) is not None:
+        raise CameraError(path, unread.problem, advice=unread.advice)
+
+
+def _is_matrix(data: bytes, path: str) -> bool:
+    is_text = path.lower().endswith(HOMOGRAPHY_SUFFIXES)
+    return is_text and not is_xml(data) and not is_kitti(data)
+
+
+def _is_storage_xml(data: bytes, path: str) -> bool:
+    """Return whether it is XML of a FileStorage, or of no known kind: its reader says what."""
+    other = b"<cameras" in data[:4096] and b"<opencv_storage" not in data[:4096]
+    return path.lower().endswith(".xml") and not other
+
+
+FORMATS: tuple[CameraFormat, ...] = tuple(
+    replace(
+        row, read=partial(read_json, name=row.name), records=partial(json_records, name=row.name)
+    )
+    if row.read is by_content
+    else row
+    for row in ROWS
+)
 # What is distinguished by what is in it.
-_ANY_JSON = CameraFormat("auto", "by what is in it", _JSON, _JSON, read_json, json_records)
-_ANY_MATRIX = CameraFormat(
-    "auto", "by its shape", _HOMOGRAPHY_SUFFIXES, _HOMOGRAPHY_SUFFIXES, read_matrix_file,
-    matrix_records,
-)  # fmt: skip
-_TOLD = (_ANY_JSON, _ANY_MATRIX)
+_ANY_SUFFIXES = (*JSON, *TABLE_SUFFIXES, TOML_SUFFIX, ".xml", *HOMOGRAPHY_SUFFIXES)
+_ANY = CameraFormat(
+    "auto", "by what is in it", _ANY_SUFFIXES, _ANY_SUFFIXES, _read_any, _any_records
+)
+# Of tables and settings as well, which lie beside cameras: read where it is the only such file.
+ALONE_SUFFIXES = frozenset({".csv", TOML_SUFFIX})
+PAIRED_FORMATS: tuple[CameraFormat, ...] = tuple(row for row in FORMATS if row.pairs)
 CAMERA_FORMATS: tuple[str, ...] = ("auto", *(f.name for f in FORMATS))
 
 
@@ -387,12 +270,13 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
             raise UsageError(f"no camera format {fmt!r}; there are {names}")
         return known
     suffix = os.path.splitext(path)[1].lower()
-    for known in (*_TOLD, *FORMATS):
+    for known in (_ANY, *FORMATS):
         if suffix in known.default_for:
             return known
     for known in all_formats():
         if suffix in known.default_for:
             return known
+    _refuse_unread(path)
     raise CameraError(
         path,
         f"unknown kind of camera file {suffix!r}",
@@ -401,9 +285,11 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
 
 
 def suffixes_of(fmt: str = "auto") -> frozenset[str]:
-    """Lower-case suffixes of the files that may hold cameras of a format."""
+    """Lower-case suffixes of the files that may hold cameras of a format; of ``auto`` without
+    those of `ALONE_SUFFIXES`."""
     if fmt == "auto":
-        return frozenset(s for known in (*_TOLD, *all_formats()) for s in known.default_for)
+        found = frozenset(s for known in (_ANY, *all_formats()) for s in known.default_for)
+        return found - ALONE_SUFFIXES
     return frozenset(format_of("", fmt).suffixes)
 
 

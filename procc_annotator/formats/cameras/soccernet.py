@@ -52,9 +52,7 @@ def read_camera(data: bytes, *, path: str) -> LoadedCamera:
     return camera_from(decode_fast(data, path=path, error=CameraError), path=path)
 
 
-def camera_from(
-    content: object, *, path: str, inside: str = "", nested: bool = False
-) -> LoadedCamera:
+def camera_from(content: object, path: str, inside: str = "", nested: bool = False) -> LoadedCamera:
     """As `read_camera`, from what was decoded.
 
     Args:

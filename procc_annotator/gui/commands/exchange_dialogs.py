@@ -30,7 +30,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.assist.label_proposal import LabelProposal, order_choices, rule_words
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LABELS_FILE, Rule
-from procc_annotator.formats.annotations.registry import FORMATS, AnnotationFormat
+from procc_annotator.formats.annotations.registry import FORMATS, WRITTEN, AnnotationFormat
 from procc_annotator.gui.commands.dialogs import CLOSE, TaskDialog, dialog_buttons
 from procc_annotator.gui.panels.widgets import DecimalBox, note_label, show_note
 from procc_annotator.translation import tr, tr_count, word
@@ -303,7 +303,7 @@ class ExportDialog(_ExchangeDialog):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent, "exportDialog", tr("Export as"), tr("Export…"))
         self.formats = QComboBox()
-        for known in FORMATS:
+        for known in WRITTEN:
             self.formats.addItem(known.title, known.name)
         self.holds = QLabel(wordWrap=True)
         self.holds.setTextFormat(Qt.TextFormat.PlainText)
@@ -329,7 +329,7 @@ class ExportDialog(_ExchangeDialog):
     @property
     def format(self) -> AnnotationFormat:
         """The chosen format."""
-        return FORMATS[self.formats.currentIndex()]
+        return WRITTEN[self.formats.currentIndex()]
 
     def ask_path(self, folder: Path) -> Path | None:
         """Ask where to; None if nowhere."""

@@ -18,7 +18,11 @@ from procc_annotator.formats.annotations.exchange import (
     normalised,
     to_px,
 )
-from procc_annotator.formats.annotations.registry import FORMATS, find_annotations, format_named
+from procc_annotator.formats.annotations.registry import (
+    WRITTEN,
+    find_annotations,
+    format_named,
+)
 from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
 from procc_annotator.formats.file_source import open_source
 from procc_annotator.formats.strict_json import WrittenNumber, json_text, number_text, parse_number
@@ -28,7 +32,7 @@ SIZE = (1280, 720)
 COCO_FILE = "annotations/person_keypoints_default.json"
 TRACKS = "cvat-video"  # knows neither an order of a frame's classes nor what pictures are called
 TWO_WAY = pytest.mark.parametrize(
-    "name", [f.name for f in FORMATS if f.read is not None and f.name != TRACKS]
+    "name", [f.name for f in WRITTEN if f.read is not None and f.name != TRACKS]
 )
 
 
@@ -259,8 +263,8 @@ def test_masks_are_not_read(tmp_path):
 
 
 def test_every_format_says_what_it_keeps():
-    assert len({f.name for f in FORMATS}) == len(FORMATS) == 9
-    assert all(f.title and f.holds and f.loses for f in FORMATS)
+    assert len({f.name for f in WRITTEN}) == len(WRITTEN) == 9
+    assert all(f.title and f.holds and f.loses for f in WRITTEN)
 
 
 # ------------------------------------------------------------------------------------- readers

@@ -21,7 +21,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.sampling import FieldSamples, sample_evenly
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.homography import CONVENTIONS
-from procc_annotator.formats.cameras.krt import BY_ORDER, KRT_KEYS, krt_content
+from procc_annotator.formats.cameras.krt import KRT_KEYS, krt_content
+from procc_annotator.formats.cameras.krt_sets import BY_ORDER
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.registry import json_records, read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
@@ -175,7 +176,7 @@ def test_easymocap(tmp_path):
         (b"MATLAB 7.3 MAT-file", "1.mat", "save it in MATLAB with"),
         (b"MATLAB 5.0 MAT-file" + bytes(99), "1.mat", "is not a readable MATLAB file of level 5"),
         (b'{"K": 1, "t": [0, 0, 9]}', "1.json", "found an object with K, t, expected pan_degrees"),
-        (b"[1, 2]", "1.json", "found a list, expected pan_degrees, x_focal_length (soccernet);"),
+        (b"[1, 2]", "1.json", "found a list, expected pan_degrees (soccernet);"),
         (b"1 2 3 4 5", "1.txt", "wc14, carwc, world: expected 9 numbers (3 x 3), found 5"),
         (b'{"H": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}', "1.json", "nothing tells which ground"),
     ],

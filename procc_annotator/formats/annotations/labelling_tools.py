@@ -1,0 +1,358 @@
+"""Annotations of labelling tools that are read and not written: a row of `TOOLS` each.
+
+A row names the places of pictures, shapes, labels and points in a file; all else is common. A place
+is keys and indices with dots between; ``*`` is every entry. Facts: the export pages of Datumaro,
+Label Studio, VIA 2, Labelbox and FiftyOne; https://github.com/AtomScott/SoccerTrack-v2 (keypoints
+in metres from the far left corner, y towards the camera); TennisCourtDetector (1280x720).
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.annotation import Point
+from procc_annotator.errors import AnnotationError
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadContext, Size
+from procc_annotator.formats.annotations.label_map import template_named
+from procc_annotator.formats.annotations.shape_joining import ShapeCollector
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.frame_names import PICTURE_SUFFIX, picture_name
+from procc_annotator.formats.strict_json import decode_strict, json_kind, parse_number, printable
+from procc_annotator.messages import pluralize
+
+_LINE, _POLYGON, _GROUP = "line", "polygon", "group"
+_KINDS = {
+    **dict.fromkeys(("polyline", "line", "vectorlabels", "vector", "Polyline"), _LINE),
+    **dict.fromkeys(("point", "points", "keypointlabels", "keypoint", "Keypoint"), _LINE),
+    **dict.fromkeys(("polygon", "polygonlabels"), _POLYGON),
+    "skeleton": _GROUP,  # its elements are shapes of their own
+}
+_ON_ELEMENT_M = 0.06  # a line's middle lies up to half its width from its edge
+_SPACING_M = 0.05
+_PLACE = re.compile(r"\(\s*([-+0-9.eE]+)\s*,\s*([-+0-9.eE]+)\s*\)", re.ASCII)
+_UPLOADED = re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)|.*\?d=")  # how Label Studio names files
+_MOST_SNIFFED = 20
+_VIA_HEADER = b"filename,file_size,file_attributes,region_count,region_id"
+
+
+@dataclass(frozen=True)
+class Tool:
+    """A format of a labelling tool.
+
+    Attributes:
+        name, title: as of `AnnotationFormat`.
+        example: a usual name of its file.
+        marks: sets of places; a file is of this tool if it has all of one set.
+        pictures: the places of the pictures; all others are relative to a picture or a shape.
+        picture, width, height: its name and size, the first place that holds one.
+        shapes: of its shapes, the first place that holds any.
+        kind, label, points: of a shape; points are pairs, numbers, or objects of x and y.
+        names: of the file, what labels that are numbers stand for.
+        unit: 1 for pixels, 100 for percent of the picture, 0 for shares of it.
+        usual: the size of its pictures where neither the file nor a picture says it.
+        template: whose keypoints the points of a shape are, in their order.
+    """
+
+    name: str
+    title: str
+    example: str
+    marks: tuple[tuple[str, ...], ...]
+    pictures: tuple[str, ...]
+    picture: tuple[str, ...]
+    shapes: tuple[str, ...]
+    label: tuple[str, ...]
+    points: tuple[str, ...]
+    kind: str = ""
+    width: tuple[str, ...] = ()
+    height: tuple[str, ...] = ()
+    names: str = ""
+    unit: float = 1
+    usual: Size | None = None
+    template: str = ""
+
+    def sniff(self, content: Any) -> bool:
+        """Return whether decoded content is of this tool."""
+        if self.name == _SOCCERTRACK:
+            is_dict = type(content) is dict and len(content) > 2
+            return is_dict and all(map(_PLACE.fullmatch, content))
+        return any(all(_all(content, m, _MOST_SNIFFED) for m in marks) for marks in self.marks)
+
+    def read_many(
+        self, source: FileSource, files: Sequence[str], reading: ReadContext
+    ) -> Iterator[ExchangedFrame]:
+        """Every picture that has a shape."""
+        for name in files:
+            with reading.going_on():
+                path, own = source.display(name), reading.frame_of_file(name)
+                content = decode_lines(source.read(name), path)
+                names = _all(content, self.names) if self.names else []
+                pictures = [
+                    (place, one, self._picture(one) or own.rpartition("/")[2])
+                    for place, one in _placed(content, self.pictures)
+                ]
+                reading.begin(name, (picture for _, _, picture in pictures))
+                reading.total = (reading.total or 0) + len(pictures)
+                for place, one, picture in pictures:
+                    with reading.going_on():
+                        found = self._read(one, picture, names, path, place, reading)
+                        if found is not None:
+                            yield found
+
+    def _picture(self, one: Any) -> str:
+        texts = [v for way in self.picture for v in _all(one, way) if type(v) is str and v]
+        pictures = [text for text in texts if PICTURE_SUFFIX.search(text)]
+        return _UPLOADED.sub("", [*pictures, *texts, ""][0])
+
+    def _read(
+        self, one: Any, picture: str, names: list[Any], path: str, place: str, reading: ReadContext
+    ) -> ExchangedFrame | None:
+        frame = reading.frame_of_picture(picture, path, place)
+        shapes = [
+            (f"{place}.{at}", shape) for at, shape in _placed(one, self.shapes)
+            if type(shape) is dict or not self.label
+        ]  # fmt: skip
+        if not shapes:
+            return None
+        sides = _first(one, self.width), _first(one, self.height)
+        if self.usual and sides[0] is None and reading.size_of(frame) is None:
+            size, usual = self.usual, f"{self.usual[0]}x{self.usual[1]}"
+            reading.remarks.add(f"the file tells no size of its pictures: {usual} is taken", frame)
+        else:
+            size = reading.size_in_file(*sides, path, f"{place}: size")
+        pieces = ShapeCollector(path, place, reading, size, frame)
+        if self.name == _SOCCERTRACK:
+            clicks = [self._point(pieces, px, key) for key, px in one.items()]
+            taken = [_add_places(pieces, [*one], [p for p in clicks if p is not None])]
+        else:
+            taken = [self._add(pieces, shape, names, at) for at, shape in shapes]
+        if not any(taken):
+            return None
+        return ExchangedFrame(frame, pieces.annotation(), size, picture_name(picture))
+
+    def _add(self, pieces: ShapeCollector, shape: Any, names: list[Any], place: str) -> bool:
+        points = next(
+            (v for way in self.points for v in _all(shape, way) if _may_be_points(v)), None
+        )
+        kind = _first(shape, (self.kind,)) if self.kind else None
+        keys = [key for key in (*_all(shape, "value"), shape) if type(key) is dict]
+        kind = kind or next((k for own in keys for k in own if k in _KINDS), None)
+        if points is None or _KINDS.get(str(kind), _LINE if kind is None else "") == "":
+            if kind is not None:
+                pieces.remark(f"shapes of the type {printable(str(kind))} are left out")
+            return False
+        if _KINDS.get(str(kind)) == _GROUP:
+            return False
+        if _KINDS.get(str(kind)) == _POLYGON:
+            pieces.remark("polygons are taken for open lines through their points")
+        label = _first(shape, self.label)
+        if type(label) is int and 0 <= label < len(names):
+            label = names[label]
+        seen = _first(shape, ("visibility",))
+        for run in _runs(points):
+            if type(seen) is list and len(seen) == len(run):
+                run = [pair for pair, visible in zip(run, seen, strict=True) if visible]
+            own = [self._point(pieces, pair, f"{place}[{i}]") for i, pair in enumerate(run)]
+            if self.template:
+                self._add_template(pieces, own, place)
+            else:
+                pieces.add(label, tuple(p for p in own if p is not None), place)
+        return True
+
+    def _add_template(self, pieces: ShapeCollector, points: list[Point | None], place: str) -> None:
+        template = template_named(self.template)
+        assert template is not None
+        if len(points) != template.count:
+            problem = f"expected {template.count} keypoints, found {len(points)}"
+            raise pieces.error(problem, place)
+        pieces.remark(f"keypoints ({template.title}) are points of the elements they lie on")
+        for name, some in template.shapes(points):
+            pieces.add(name, some, place)
+
+    def _point(self, pieces: ShapeCollector, pair: Any, place: str) -> Point | None:
+        if self.template and pair in (None, [-1, -1]):  # a keypoint out of sight
+            return None
+        if isinstance(pair, Mapping):
+            pair = [pair.get("x"), pair.get("y")]
+        if type(pair) is not list or len(pair) != 2:
+            raise pieces.error(f"expected a point of two numbers, found {json_kind(pair)}", place)
+        if self.unit != 1 and all(type(v) is int or isinstance(v, float) for v in pair):
+            pair = [v / (self.unit or 1) * n for v, n in zip(pair, pieces.size, strict=True)]
+        return pieces.point(pair[0], pair[1], place)
+
+
+def _add_places(pieces: ShapeCollector, keys: list[str], clicks: list[Point]) -> bool:
+    """Make keypoints at places ``(x, y)`` of the field points of every element that they lie on, in
+    their order along it."""
+    field = pieces.reading.field
+    found = [_PLACE.fullmatch(key) for key in keys]
+    places = np.array([[float(m[1]), float(m[2])] for m in found if m is not None])
+    samples = sample_evenly(field, _SPACING_M)
+    if places.min() > -_ON_ELEMENT_M:  # from a corner
+        places = places - np.abs(samples.points_world[:, :2]).max(axis=0)
+    design = np.column_stack((places, np.ones(len(places))))
+    turn = np.linalg.lstsq(design, np.array([(p.u, p.v) for p in clicks]), rcond=None)[0][:2]
+    if np.linalg.det(turn) < 0:  # a camera above the ground sees y as x, y towards it
+        places = places * (1, -1)
+        pieces.remark("places count y away from the camera: turned")
+    used = np.zeros(len(clicks), bool)
+    for i, element in enumerate(field.elements):
+        if element.optional or not element.on_ground:
+            continue
+        apart = np.linalg.norm(places[:, None] - samples.of(i)[:, :2], axis=2)
+        nearest, near = apart.argmin(axis=1), apart.min(axis=1) < _ON_ELEMENT_M
+        order = [k for k in np.argsort(nearest, kind="stable") if near[k]]
+        if len(order) > (2 if element.is_curved else 0):  # two say nothing of a curve
+            pieces.add(element.name, tuple(clicks[k] for k in order), element.name)
+            used |= near
+    pieces.remark("keypoints at places of the field are points of the elements they lie on")
+    if not used.all():
+        first = printable(keys[int(np.argmin(used))])
+        left = pluralize(int((~used).sum()), "place")
+        pieces.remark(f"{left} on no element of the field left out (first: {first})")
+    return bool(used.any())
+
+
+def _placed(content: Any, ways: Sequence[str]) -> list[tuple[str, Any]]:
+    """(place, value) of all that is at the first of some places that holds anything."""
+    for way in ways:
+        if found := _all(content, way):
+            where = way.replace(".*", "[]").replace("*", "[]")
+            return [(f"{where}[{i}]".replace("[][", "["), v) for i, v in enumerate(found)]
+    return []
+
+
+def _all(content: Any, way: str, most: int | None = None) -> list[Any]:
+    """All that is at a place, of each ``*`` the first entries alone; [] where there is nothing."""
+    found = [content]
+    for step in way.split(".") if way else ():
+        below: list[Any] = []
+        for value in found:
+            if step == "*" and type(value) in (dict, list):
+                below += [*(value.values() if type(value) is dict else value)][:most]
+            elif type(value) is dict and step in value:
+                below.append(value[step])
+            elif type(value) is list and step.isdecimal() and int(step) < len(value):
+                below.append(value[int(step)])
+        found = below
+    return found
+
+
+def _first(content: Any, ways: Sequence[str]) -> Any:
+    """The first value at some places that is no object; of one that was ticked its key."""
+    for value in (v for way in ways for v in _all(content, way)):
+        ticked = [k for k, v in value.items() if v] if type(value) is dict else [value]
+        if ticked and ticked[0] not in (None, "") and (len(ways) < 2 or ticked[0] != []):
+            return ticked[0]
+    return None
+
+
+def _may_be_points(value: Any) -> bool:
+    return type(value) is not dict or bool(value.keys() & {"x", "cx", "all_points_x"})
+
+
+def _runs(points: Any) -> list[list[Any]]:
+    """Pairs of points, line by line, whichever way a tool writes them."""
+    if type(points) is dict:
+        xs, ys = points.get("all_points_x"), points.get("all_points_y")
+        if type(xs) is list and type(ys) is list and len(xs) == len(ys):
+            return [[list(pair) for pair in zip(xs, ys, strict=True)]]
+        return [[[points.get("cx"), points.get("cy")] if "cx" in points else points]]
+    if type(points) is not list or not points:
+        return []
+    if type(points[0]) in (int, float) or isinstance(points[0], float):
+        return [[points[i : i + 2] for i in range(0, len(points), 2)]]
+    nested = type(points[0]) is list and points[0] and type(points[0][0]) is list
+    return points if nested else [points]
+
+
+def decode_lines(data: bytes, path: str) -> Any:
+    """Decoded JSON; a list of the lines of a file with one value a line; VIA's CSV as its JSON.
+
+    Raises:
+        AnnotationError: damaged.
+    """
+    text = data.lstrip(b"\xef\xbb\xbf \t\r\n")
+    if text.replace(b", ", b",", 4).startswith(_VIA_HEADER):
+        return _via_csv(text, path)
+    lines = [(n, line) for n, line in enumerate(data.splitlines(), 1) if line.strip()]
+    if len(lines) > 1 and all(x[:1] + x.rstrip()[-1:] == b"{}" for _, x in lines):
+        return [decode_strict(x, path=f"{path}: line {n}", error=AnnotationError) for n, x in lines]
+    content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
+    return [content] if type(content) is dict and "data_row" in content else content
+
+
+def _via_csv(text: bytes, path: str) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    reader = csv.DictReader(io.StringIO(text.decode("utf-8", "replace")), skipinitialspace=True)
+    keys = ("shape_attributes", "region_attributes")
+    for row in reader:
+        cells = (row.get("region_shape_attributes"), row.get("region_attributes"))
+        try:
+            region = {key: json.loads(cell or "{}") for key, cell in zip(keys, cells, strict=True)}
+        except ValueError as error:
+            place, why = f"line {reader.line_num}", "expected JSON in the columns of regions"
+            raise AnnotationError(path, why, place=place) from error
+        name = str(row.get("filename"))
+        found.setdefault(name, {"filename": name, "regions": []})["regions"].append(region)
+    return found
+
+
+_SOCCERTRACK = "soccertrack"
+TOOLS: tuple[Tool, ...] = (
+    Tool(
+        "datumaro", "Datumaro JSON", "default.json", (("categories.label.labels", "items.*.id"),),
+        ("items.*",), ("image.path", "media.path", "id"),
+        ("annotations.*",), ("label_id",), ("points",), "type",
+        ("image.size.1", "media.size.1"), ("image.size.0", "media.size.0"),
+        names="categories.label.labels.*.name",
+    ),
+    Tool(
+        "label-studio", "Label Studio JSON", "project-1.json",
+        (("*.annotations.*.result", "*.data"), ("*.*.*.original_width",)), ("*",),
+        ("data.image", "data.img", "image", "img", "data.*"),
+        ("annotations.0.result.*", "annotations.1.result.*", "*.*"),
+        ("value.keypointlabels.0", "value.vectorlabels.0", "value.polygonlabels.0",
+         "value.labels.0", "keypointlabels.0", "vectorlabels.0", "polygonlabels.0", "from_name"),
+        ("value.vertices", "vertices", "value.points", "points", "value", ""), "type",
+        ("annotations.*.result.*.original_width", "*.*.original_width"),
+        ("annotations.*.result.*.original_height", "*.*.original_height"), unit=100,
+    ),
+    Tool(
+        "via", "VGG Image Annotator (VIA) 2, JSON or CSV", "via_project.json",
+        (("_via_img_metadata",), ("*.filename", "*.regions")), ("_via_img_metadata.*", "*"),
+        ("filename",), ("regions.*",),
+        ("region_attributes.class", "region_attributes.label", "region_attributes.name",
+         "region_attributes.*"), ("shape_attributes",), "shape_attributes.name",
+    ),
+    Tool(
+        "labelbox", "Labelbox NDJSON", "export.ndjson",
+        (("data_row", "projects"), ("*.data_row", "*.projects")), ("*",),
+        ("data_row.external_id", "data_row.global_key", "data_row.id"),
+        ("projects.*.labels.0.annotations.objects.*",), ("name",), ("line", "polygon", "point"),
+        "", ("media_attributes.width",), ("media_attributes.height",),
+    ),
+    Tool(
+        "fiftyone", "FiftyOne dataset", "samples.json",
+        (("samples.*.filepath",), ("images.*.polylines",)), ("samples.*", "images.*"),
+        ("filepath", "filename"), ("*.*.*",), ("label", "name"), ("points",), "_cls",
+        ("metadata.width",), ("metadata.height",), unit=0, usual=(1920, 1080),
+    ),
+    Tool(
+        _SOCCERTRACK, "SoccerTrack keypoints", "MATCH_keypoints.json", (), ("",), (), ("*",), (),
+        (), usual=(6500, 1000),
+    ),
+    Tool(
+        "tennis-keypoints", "TennisCourtDetector keypoints", "data_train.json",
+        (("*.id", "*.kps"),), ("*",), ("id",), ("kps",), (), ("",), usual=(1280, 720),
+        template="tennis_14",
+    ),
+)  # fmt: skip

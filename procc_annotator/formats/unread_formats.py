@@ -1,0 +1,103 @@
+"""The table of formats that are not read: how each is recognised, and the way out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import Any
+
+_COLMAP = "export a COLMAP model (images, cameras) and give its folder"
+_NUMPY = "load it where it comes from and save the arrays K, R, t, dist with numpy.savez"
+
+
+@dataclass(frozen=True)
+class UnreadFormat:
+    """A format of another program.
+
+    Attributes:
+        title: of the format.
+        advice: what to do instead.
+        suffixes: of files that are of no other format, lower case.
+        marks: of which the first 4 kB hold one.
+        keys: of a decoded object, or of one in its list, that are all there.
+    """
+
+    title: str
+    advice: str
+    suffixes: tuple[str, ...] = ()
+    marks: tuple[bytes, ...] = ()
+    keys: tuple[str, ...] = ()
+
+    @property
+    def problem(self) -> str:
+        """Return what is wrong with such a file."""
+        return f"is {self.title}, which is not read"
+
+
+_U = UnreadFormat
+UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
+    _U("a Metashape project or camera XML", f"File > Export > Export Cameras: {_COLMAP}",
+       (".psx", ".psz"), (b"<chunk ", b"<calibration><projection>", b"<chunks")),
+    _U("a RealityScan or RealityCapture file", f"Workflow > Export > Registration: {_COLMAP}",
+       (".rcproj", ".xmp"), (b"xcr:", b"RealityCapture")),
+    _U("an OpenMVG or Meshroom scene", f"convert it (openMVG_main_openMVG2Colmap): {_COLMAP}",
+       (".sfm",), (), ("views", "intrinsics")),
+    _U("a Bundler or VisualSFM model", f"open it in COLMAP or MeshLab: {_COLMAP}",
+       (".nvm",), (b"# Bundle file", b"NVM_V3")),
+    _U("a Blender scene", "write the cameras as transforms.json (a NeRF export add-on)",
+       (".blend",), (b"BLENDER",)),
+    _U("an FBX, Alembic, USD or glTF scene", "open it in Blender and write the cameras as"
+       " transforms.json", (".fbx", ".abc", ".usd", ".usda", ".usdc", ".usdz", ".gltf", ".glb"),
+       (b"Kaydara FBX",)),
+    _U("a PTGui or Hugin project", "it has lenses without a place: click the field in the panorama",
+       (".pts", ".pto"), (b"# ptGui", b"# hugin project")),
+    _U("a Kinovea annotation", "it has a grid in the picture: click the field's elements instead",
+       (".kva",), (b"<KinoveaVideoAnalysis",)),
+    _U("tracking data (TRACAB, EPTS)", "it has positions of players, no camera",
+       (), (b"<TracabMetaData", b"<TracabData", b"<ManagedObjects", b"<EPTS")),
+    _U("a Vicon, OptiTrack or Theia calibration", "convert it with Pose2Sim to Calib.toml",
+       (".xcp", ".cal", ".mcal"), (b"VICON_RADIAL", b"<OptitrackCalibration")),
+    _U("a ROS or Kalibr calibration", "it has a lens without a place: add R and tvec as"
+       " cv::FileStorage writes them", (), (b"distortion_model: ", b"cam_overlaps")),
+    _U("a pickle, which may run any program on loading", _NUMPY, (".pkl", ".pickle", ".p", ".pt",
+       ".pth")),
+    _U("an HDF5 or Parquet file", _NUMPY, (".h5", ".hdf5", ".parquet"), (b"\x89HDF", b"PAR1")),
+    _U("a Supervisely annotation", "export the project as COCO or as Datumaro",
+       (), (b'"classTitle"',), ("classTitle",)),
+    _U("a VIA 3 project", "draw in VIA 2, or export from VIA 3 as COCO", (), (b'"fid_list"',)),
+    _U("a V7 Darwin annotation", "export it as COCO", (), (b"darwin",)),
+    _U("a Pascal VOC annotation", "it has boxes, no lines: export polylines as CVAT or COCO",
+       (), (b"<annotation>\n\t<folder", b"<bndbox>")),
+    _U("an ImageJ or MATLAB labelling file", "export the points as CSV of VIA or as COCO",
+       (".roi",), ()),
+)  # fmt: skip
+
+
+def unread_format(path: str, data: bytes = b"", content: Any = None) -> UnreadFormat | None:
+    """The format of a file that is not read; None where nothing tells.
+
+    Args:
+        path: of the file. data: its bytes, or the first of them.
+        content: what was decoded of it.
+    """
+    suffix, head = PurePath(path).suffix.lower(), data[:4096]
+    found = content if type(content) is list else [content]
+    objects = [entry for entry in found[:20] if type(entry) is dict]
+    objects += [e for o in objects for v in o.values() if type(v) is list for e in v[:1]
+                if type(e) is dict]  # fmt: skip
+    for known in UNREAD_FORMATS:
+        if suffix in known.suffixes or any(mark in head for mark in known.marks):
+            return known
+        if known.keys and any({*known.keys} <= entry.keys() for entry in objects):
+            return known
+    return None
+
+
+def unread_table() -> str:
+    """The table of formats that are not read of the documentation, in Markdown."""
+    lines = ["| not read | recognised by | way out |", "|---|---|---|"]
+    for known in UNREAD_FORMATS:
+        marks = (mark.decode("latin-1").strip("\x89 \n").split("\n")[0] for mark in known.marks)
+        told = ", ".join(f"`{one}`" for one in (*known.suffixes, *marks, *known.keys))
+        lines.append(f"| {known.title} | {told} | {known.advice} |")
+    return "\n".join(lines) + "\n"
