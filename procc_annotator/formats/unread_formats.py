@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import Any
 
 _COLMAP = "export a COLMAP model (images, cameras) and give its folder"
 _NUMPY = "load it where it comes from and save the arrays K, R, t, dist with numpy.savez"
@@ -19,14 +18,12 @@ class UnreadFormat:
         advice: what to do instead.
         suffixes: of files that are of no other format, lower case.
         marks: of which the first 4 kB hold one.
-        keys: of a decoded object, or of one in its list, that are all there.
     """
 
     title: str
     advice: str
     suffixes: tuple[str, ...] = ()
     marks: tuple[bytes, ...] = ()
-    keys: tuple[str, ...] = ()
 
     @property
     def problem(self) -> str:
@@ -41,7 +38,7 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
     _U("a RealityScan or RealityCapture file", f"Workflow > Export > Registration: {_COLMAP}",
        (".rcproj", ".xmp"), (b"xcr:", b"RealityCapture")),
     _U("an OpenMVG or Meshroom scene", f"convert it (openMVG_main_openMVG2Colmap): {_COLMAP}",
-       (".sfm",), (), ("views", "intrinsics")),
+       (".sfm",), (b'"sfm_data_version"', b'"featuresFolders"')),
     _U("a Bundler or VisualSFM model", f"open it in COLMAP or MeshLab: {_COLMAP}",
        (".nvm",), (b"# Bundle file", b"NVM_V3")),
     _U("a Blender scene", "write the cameras as transforms.json (a NeRF export add-on)",
@@ -63,7 +60,7 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
        ".pth")),
     _U("an HDF5 or Parquet file", _NUMPY, (".h5", ".hdf5", ".parquet"), (b"\x89HDF", b"PAR1")),
     _U("a Supervisely annotation", "export the project as COCO or as Datumaro",
-       (), (b'"classTitle"',), ("classTitle",)),
+       (), (b'"classTitle"',)),
     _U("a VIA 3 project", "draw in VIA 2, or export from VIA 3 as COCO", (), (b'"fid_list"',)),
     _U("a V7 Darwin annotation", "export it as COCO", (), (b"darwin",)),
     _U("a Pascal VOC annotation", "it has boxes, no lines: export polylines as CVAT or COCO",
@@ -73,24 +70,12 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
 )  # fmt: skip
 
 
-def unread_format(path: str, data: bytes = b"", content: Any = None) -> UnreadFormat | None:
-    """The format of a file that is not read; None where nothing tells.
-
-    Args:
-        path: of the file. data: its bytes, or the first of them.
-        content: what was decoded of it.
-    """
+def unread_format(path: str, data: bytes = b"") -> UnreadFormat | None:
+    """The format of a file that is not read, by its suffix and the first of its bytes; None where
+    nothing tells."""
     suffix, head = PurePath(path).suffix.lower(), data[:4096]
-    found = content if type(content) is list else [content]
-    objects = [entry for entry in found[:20] if type(entry) is dict]
-    objects += [e for o in objects for v in o.values() if type(v) is list for e in v[:1]
-                if type(e) is dict]  # fmt: skip
-    for known in UNREAD_FORMATS:
-        if suffix in known.suffixes or any(mark in head for mark in known.marks):
-            return known
-        if known.keys and any({*known.keys} <= entry.keys() for entry in objects):
-            return known
-    return None
+    found = (u for u in UNREAD_FORMATS if suffix in u.suffixes or any(m in head for m in u.marks))
+    return next(found, None)
 
 
 def unread_table() -> str:
@@ -98,6 +83,6 @@ def unread_table() -> str:
     lines = ["| not read | recognised by | way out |", "|---|---|---|"]
     for known in UNREAD_FORMATS:
         marks = (mark.decode("latin-1").strip("\x89 \n").split("\n")[0] for mark in known.marks)
-        told = ", ".join(f"`{one}`" for one in (*known.suffixes, *marks, *known.keys))
+        told = ", ".join(f"`{one}`" for one in (*known.suffixes, *marks))
         lines.append(f"| {known.title} | {told} | {known.advice} |")
     return "\n".join(lines) + "\n"

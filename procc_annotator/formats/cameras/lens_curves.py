@@ -7,22 +7,21 @@ import numpy as np
 from procc_annotator.arrays import FloatArray
 
 _SAMPLES = 400
-_WIDEST_RAD = 1.5  # seen from the axis: no lens of a field's camera sees more
+_WIDEST_RAD = 1.5  # from the axis: no lens of a field's camera sees more
 
 
 def fisheye_of_polynomial(
     coefficients: FloatArray, radius: float
 ) -> tuple[float, FloatArray, FloatArray]:
-    """The fisheye closest to a radius that is any polynomial of the angle.
-
-    Fitted in r = f (theta + k1 theta^3 + ... + k4 theta^9), weighted as pixels are: by the radius.
+    """The fisheye r = f (theta + k1 theta^3 + ... + k4 theta^9) closest to a radius that is any
+    polynomial of the angle, in the least squares of all pixels.
 
     Args:
-        coefficients: of the angle from the axis, rad, highest power first, as of `numpy.polyval`.
+        coefficients: of the angle from the axis, rad, highest power first.
         radius: of the picture's farthest corner, in the unit of the polynomial.
 
     Returns:
-        f; (4,) k1..k4; (N,) deviations within the radius, in its unit, those of pixels alike.
+        f; (4,) k1..k4; (N,) deviations of pixels within the radius, in its unit.
 
     Raises:
         ValueError: no angle within 1.5 rad reaches a twentieth of the radius.
@@ -37,16 +36,15 @@ def fisheye_of_polynomial(
     powers = theta[:, None] ** np.arange(1, 10, 2)
     weights = np.sqrt(np.maximum(r, 0.0))
     found = np.linalg.lstsq(powers * weights[:, None], r * weights, rcond=None)[0]
-    areas = np.linspace(0, r[-1] ** 2, _SAMPLES)
-    off = np.interp(np.sqrt(areas), r, powers @ found - r)
-    return float(found[0]), found[1:] / found[0], np.asarray(off)
+    of_pixels = np.sqrt(np.linspace(0, r[-1] ** 2, _SAMPLES))
+    return float(found[0]), found[1:] / found[0], np.interp(of_pixels, r, powers @ found - r)
 
 
 def distortion_of_inverse(
     up: FloatArray, down: FloatArray, radius: float
 ) -> tuple[FloatArray, FloatArray]:
-    """The radial distortion closest to the inverse of r_u = r (1 + n1 r^2 + n2 r^4 + n3 r^6) /
-    (1 + d1 r^2 + d2 r^4 + d3 r^6), r being the radius in the picture.
+    """The radial distortion closest to the inverse of r_u = r (1 + n1 r^2 + ...) / (1 + d1 r^2 +
+    ...), r being the radius in the picture.
 
     Args:
         up, down: (3,) n1, n2, n3 and d1, d2, d3, for radii in focal lengths.
@@ -63,4 +61,4 @@ def distortion_of_inverse(
     if not np.isfinite(powers).all():
         raise ValueError("the distortion has no bounds within the picture")
     found = np.linalg.lstsq(powers, r - undistorted, rcond=None)[0]
-    return found, np.asarray(powers @ found - (r - undistorted))
+    return found, powers @ found - (r - undistorted)

@@ -72,20 +72,18 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
     known, content = _recognised(data, path, name)
     if known is STORAGE:
         return read_opencv(data, path=path)
-    records = known.many(content, path) if known.many is not None else None
-    if records is not None:
+    if (records := _many(known, content, path)) is not None:
         return only_record(records)
     assert known.one is not None  # formats without it have records or raise
     return known.one(content, path, "")
 
 
 def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRecords | None:
-    """The same of a file that holds several; None where it holds one.
+    """The same of a file that holds several; None where it holds one."""
+    return _many(*_recognised(data, path, name), path)
 
-    Raises:
-        CameraError: damaged, or no camera.
-    """
-    known, content = _recognised(data, path, name)
+
+def _many(known: CameraFormat, content: Any, path: str) -> CameraRecords | None:
     return known.many(content, path) if known.many is not None else None
 
 
@@ -127,7 +125,6 @@ def only_record(records: CameraRecords) -> LoadedCamera:
 def _detected(content: object, path: str) -> CameraFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
         return SOCCERNET
-    _refuse_unread(path, content=content)
     values = list(content.values()) if type(content) is dict else []
     if looks_like_points(content) or (
         values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
@@ -135,14 +132,12 @@ def _detected(content: object, path: str) -> CameraFormat:
         raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
     if type(content) is list and any(map(is_tvcalib, content)):
         return TVCALIB
-    for known in ROWS[1:]:
-        if known.recognises is not None and known.recognises(content):
-            return known
-    for known in ROWS:
-        if known.one is None or known.recognises is None:
-            continue
-        if any(known.recognises(flat_entry(value)) for value in values):
-            return known
+    told = [(row, row.recognises) for row in ROWS if row.recognises is not None]
+    found = [row for row, is_of in told[1:] if is_of(content)]
+    entries = list(map(flat_entry, values))
+    found += [row for row, is_of in told if not found and row.one and any(map(is_of, entries))]
+    if found:
+        return found[0]
     named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
     if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
         return SOCCERNET  # which says what else is missing
@@ -205,9 +200,9 @@ def _any_records(data: bytes, *, path: str) -> CameraRecords | None:
     return None if _is_storage_xml(data, path) else json_records(data, path=path)
 
 
-def _refuse_unread(path: str, data: bytes = b"", content: Any = None) -> None:
+def _refuse_unread(path: str, data: bytes = b"") -> None:
     """Refuse what is of a program whose files are not read."""
-    if (unread := unread_format(path, data, content)) is not None:
+    if (unread := unread_format(path, data)) is not None:
         raise CameraError(path, unread.problem, advice=unread.advice)
 
 

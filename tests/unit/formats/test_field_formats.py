@@ -297,7 +297,7 @@ def test_hints_about_a_world_are_those_of_every_format(tmp_path):
     [
         ("poses.txt", b"1 0 0 0 0 1 0 0 0 0 1 0\n" * 3, "a pose .* without a lens.*w2c=pose"),
         ("a.xml", b'<document version="2.0.0">\n<chunk id="0">', "Metashape.*COLMAP"),
-        ("a.json", b'{"views": [], "intrinsics": [], "poses": []}', "OpenMVG.*COLMAP"),
+        ("a.json", b'{"sfm_data_version": "0.3", "views": []}', "OpenMVG.*COLMAP"),
         ("a.csv", b"frame,x\n1,2\n", "columns|holds no camera"),
         ("a.toml", b"a = [", "is no TOML"),
     ],
