@@ -8,8 +8,6 @@ in metres from the far left corner, y towards the camera); TennisCourtDetector (
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,6 +22,7 @@ from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadContext, Size
 from procc_annotator.formats.annotations.label_map import template_named
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector
+from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import PICTURE_SUFFIX, picture_name
 from procc_annotator.formats.strict_json import decode_strict, json_kind, parse_number, printable
@@ -42,6 +41,7 @@ _PLACE = re.compile(r"\(\s*([-+0-9.eE]+)\s*,\s*([-+0-9.eE]+)\s*\)", re.ASCII)
 _UPLOADED = re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)|.*\?d=")  # how Label Studio names files
 _MOST_SNIFFED = 20
 _VIA_HEADER = b"filename,file_size,file_attributes,region_count,region_id"
+_VIA_REGION = ("region_shape_attributes", "region_attributes")
 
 
 @dataclass(frozen=True)
@@ -81,9 +81,8 @@ class Tool:
 
     def sniff(self, content: Any) -> bool:
         """Return whether decoded content is of this tool."""
-        if self.name == _SOCCERTRACK:
-            is_dict = type(content) is dict and len(content) > 2
-            return is_dict and all(map(_PLACE.fullmatch, content))
+        if self.name == _SOCCERTRACK and type(content) is dict and len(content) > 2:
+            return all(map(_PLACE.fullmatch, content))
         return any(all(_all(content, m, _MOST_SNIFFED) for m in marks) for marks in self.marks)
 
     def read_many(
@@ -142,40 +141,34 @@ class Tool:
         points = next(
             (v for way in self.points for v in _all(shape, way) if _may_be_points(v)), None
         )
+        own = [key for key in (*_all(shape, "value"), shape) if type(key) is dict]
         kind = _first(shape, (self.kind,)) if self.kind else None
-        keys = [key for key in (*_all(shape, "value"), shape) if type(key) is dict]
-        kind = kind or next((k for own in keys for k in own if k in _KINDS), None)
-        if points is None or _KINDS.get(str(kind), _LINE if kind is None else "") == "":
-            if kind is not None:
-                pieces.remark(f"shapes of the type {printable(str(kind))} are left out")
+        kind = kind or next((k for keys in own for k in keys if k in _KINDS), None)
+        what = _LINE if kind is None else _KINDS.get(str(kind))
+        if what is None:
+            pieces.remark(f"shapes of the type {printable(str(kind))} are left out")
+        if points is None or what in (None, _GROUP):
             return False
-        if _KINDS.get(str(kind)) == _GROUP:
-            return False
-        if _KINDS.get(str(kind)) == _POLYGON:
+        if what == _POLYGON:
             pieces.remark("polygons are taken for open lines through their points")
         label = _first(shape, self.label)
         if type(label) is int and 0 <= label < len(names):
             label = names[label]
-        seen = _first(shape, ("visibility",))
+        seen, template = _first(shape, ("visibility",)), template_named(self.template)
         for run in _runs(points):
             if type(seen) is list and len(seen) == len(run):
                 run = [pair for pair, visible in zip(run, seen, strict=True) if visible]
-            own = [self._point(pieces, pair, f"{place}[{i}]") for i, pair in enumerate(run)]
-            if self.template:
-                self._add_template(pieces, own, place)
-            else:
-                pieces.add(label, tuple(p for p in own if p is not None), place)
+            clicks = [self._point(pieces, pair, f"{place}[{i}]") for i, pair in enumerate(run)]
+            if template is None:
+                pieces.add(label, tuple(p for p in clicks if p is not None), place)
+                continue
+            if len(clicks) != template.count:
+                problem = f"expected {template.count} keypoints, found {len(clicks)}"
+                raise pieces.error(problem, place)
+            pieces.remark(f"keypoints ({template.title}) are points of the elements they lie on")
+            for name, some in template.shapes(clicks):
+                pieces.add(name, some, place)
         return True
-
-    def _add_template(self, pieces: ShapeCollector, points: list[Point | None], place: str) -> None:
-        template = template_named(self.template)
-        assert template is not None
-        if len(points) != template.count:
-            problem = f"expected {template.count} keypoints, found {len(points)}"
-            raise pieces.error(problem, place)
-        pieces.remark(f"keypoints ({template.title}) are points of the elements they lie on")
-        for name, some in template.shapes(points):
-            pieces.add(name, some, place)
 
     def _point(self, pieces: ShapeCollector, pair: Any, place: str) -> Point | None:
         if self.template and pair in (None, [-1, -1]):  # a keypoint out of sight
@@ -290,19 +283,16 @@ def decode_lines(data: bytes, path: str) -> Any:
     return [content] if type(content) is dict and "data_row" in content else content
 
 
-def _via_csv(text: bytes, path: str) -> dict[str, Any]:
+def _via_csv(data: bytes, path: str) -> dict[str, Any]:
     found: dict[str, Any] = {}
-    reader = csv.DictReader(io.StringIO(text.decode("utf-8", "replace")), skipinitialspace=True)
-    keys = ("shape_attributes", "region_attributes")
-    for row in reader:
-        cells = (row.get("region_shape_attributes"), row.get("region_attributes"))
+    for line, row in read_table(path, (*_VIA_REGION, "filename"), "export it from VIA", data)[1]:
         try:
-            region = {key: json.loads(cell or "{}") for key, cell in zip(keys, cells, strict=True)}
+            cells = [json.loads(row[key] or "{}") for key in _VIA_REGION]
         except ValueError as error:
-            place, why = f"line {reader.line_num}", "expected JSON in the columns of regions"
-            raise AnnotationError(path, why, place=place) from error
-        name = str(row.get("filename"))
-        found.setdefault(name, {"filename": name, "regions": []})["regions"].append(region)
+            why = "expected JSON in the columns of regions"
+            raise AnnotationError(path, why, place=f"line {line}") from error
+        regions = found.setdefault(row["filename"], {"filename": row["filename"], "regions": []})
+        regions["regions"].append({"shape_attributes": cells[0], "region_attributes": cells[1]})
     return found
 
 

@@ -75,18 +75,10 @@ def is_kitti(data: bytes) -> bool:
 
 def _kitti(data: bytes, path: str) -> dict[str, Any]:
     """Projection matrices by their names; other lines are left out."""
-    found: dict[str, Any] = {}
-    for number, line in enumerate(utf8_text(data, path).splitlines(), 1):
-        name, _, rest = line.partition(":")
-        if not _PROJECTION.fullmatch(name.strip()):
-            continue
-        numbers = [finite_number(word) for word in rest.split()]
-        if len(numbers) != 12 or None in numbers:
-            raise CameraError(path, "expected 12 finite numbers", place=f"line {number}")
-        found[name.strip()] = [numbers[i : i + 4] for i in (0, 4, 8)]
-    if not found:
-        raise CameraError(path, "holds no projection matrix, expected lines like P0: 12 numbers")
-    return found
+    lines = (line.partition(":") for line in utf8_text(data, path).splitlines())
+    found = {n.strip(): [finite_number(word) for word in rest.split()] for n, _, rest in lines}
+    named = {name: v for name, v in found.items() if _PROJECTION.fullmatch(name)}
+    return {name: [v[i : i + 4] for i in (0, 4, 8)] for name, v in named.items()}
 
 
 def _toml(data: bytes, path: str) -> Any:

@@ -131,6 +131,7 @@ ROWS: tuple[CameraFormat, ...] = (
     _parts(
         "fifa", "FIFA Skeletal Tracking, K and k for each frame", "K[], k[], R, t", _UP_IF_ABOVE,
         "SEQUENCE.npz; R and t may be of the first frame alone", systems.FIFA, systems.is_fifa,
+        ARRAY_SUFFIXES,
     ),
     _parts(
         "pose2sim", "Pose2Sim, Anipose, Caliscope TOML", "NAME.matrix, NAME.rotation",
@@ -145,6 +146,7 @@ ROWS: tuple[CameraFormat, ...] = (
         "vggt", "VGGT, MegaSaM", "intrinsic, extrinsic[] or cam_c2w[]",
         "the first camera's, no unit: lay it upon the field first",
         "predictions.npz, SCENE_sgd_cvd_hr.npz", systems.MODEL_WORLD, systems.is_model_world,
+        ARRAY_SUFFIXES,
     ),
     _parts(
         "krt", "K, R, t and distortion", "K, R", _OURS,
@@ -171,13 +173,13 @@ ROWS: tuple[CameraFormat, ...] = (
         "sccvsd", "World Cup 2014 homographies, MATLAB", "annotation[].homography",
         f"115 x 74 {_YARDS}", "annotation(i) in .mat",
         partial(sets.is_annotation_set, "homography"), None,
-        partial(sets.annotation_records, sets.read_set_homography),
+        partial(sets.annotation_records, sets.read_set_homography), ARRAY_SUFFIXES,
     ),
     _row(
         "ptz-slam", "frames of one tripod, MATLAB", "annotation[].camera",
         "metres, z up, origin at the near left corner of 115 x 74 yards; moved, turned",
         "annotation(i) in .mat", partial(sets.is_annotation_set, "camera"), None,
-        partial(sets.annotation_records, sets.read_ptz),
+        partial(sets.annotation_records, sets.read_ptz), ARRAY_SUFFIXES,
     ),
     _row(
         "qualisys", "Qualisys calibration", "<calibration>, <cameras>",
