@@ -37,7 +37,7 @@ _KINDS = {
 }
 _ON_ELEMENT_M = 0.06  # a line's middle lies up to half its width from its edge
 _SPACING_M = 0.05
-_PLACE = re.compile(r"\(\s*([-+0-9.eE]+)\s*,\s*([-+0-9.eE]+)\s*\)", re.ASCII)
+_PLACE = re.compile(r"\(\s*(-?\d+(?:\.\d+)?)\s*,\s*(-?\d+(?:\.\d+)?)\s*\)", re.ASCII)
 _UPLOADED = re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)|.*\?d=")  # how Label Studio names files
 _MOST_SNIFFED = 20
 _VIA_HEADER = b"filename,file_size,file_attributes,region_count,region_id"
@@ -264,7 +264,7 @@ def _runs(points: Any) -> list[list[Any]]:
     if type(points[0]) in (int, float) or isinstance(points[0], float):
         return [[points[i : i + 2] for i in range(0, len(points), 2)]]
     nested = type(points[0]) is list and points[0] and type(points[0][0]) is list
-    return points if nested else [points]
+    return [run if type(run) is list else [run] for run in points] if nested else [points]
 
 
 def decode_lines(data: bytes, path: str) -> Any:

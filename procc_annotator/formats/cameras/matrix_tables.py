@@ -79,7 +79,9 @@ def table_records(content: Any, path: str) -> CameraRecords:
             matrix = np.linalg.inv(matrix)
         world = _SHUTTLESET if is_court else np.eye(3)
         loaded = camera_from_homography(matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside)
-        return loaded if is_court else with_notices(loaded, (_METRES,))
+        remarks = () if is_court else (_METRES,)
+        left = JsonValues(row, path).unused(*columns, *_COURT, *_NAMES)
+        return with_notices(loaded, (*remarks, *left))
 
     found = [
         (row[name].removesuffix(".0") if name else str(i), CameraRecord(f"line {line}", row))

@@ -134,7 +134,10 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
     sample = JsonValues.of(content, path, inside, _OTIO.kind)
     camera = sample.part("static").part("camera")
     lens, sensor = sample.part("lens"), camera.part("activeSensorPhysicalDimensions")
-    size = camera.part("activeSensorResolution").size_of("width", "height")
+    pixels = camera.part("activeSensorResolution")
+    size = pixels.size()
+    if size is None:
+        raise pixels.missing("pixels", "width", "height")
     mm = np.array([sensor.focal("width"), sensor.focal("height")])
     offset = np.zeros(2)
     if "projectionOffset" in lens:
@@ -146,7 +149,8 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
     distortion, notices = _brown_conrady(lens, focal_mm, float(np.hypot(*mm) / 2), fx)
     # Each transform is relative to the one before it: camera -> stage.
     rotation, position = np.eye(3), np.zeros(3)
-    for i, _ in enumerate(sample.content["transforms"]):
+    transforms = sample.content.get("transforms")
+    for i in range(len(transforms) if type(transforms) is list else 1):
         own = sample.part("transforms", i)
         moved, turned = own.part("translation"), own.part("rotation")
         if set(own.content.get("scale", {"x": 1}).values()) != {1}:
@@ -263,7 +267,7 @@ FIFA = KrtKeys(distortion=("k",), up_or_down=True, kind="a camera of FIFA's Skel
 _FIRST_CAMERA = "its world is the first camera's, not the field's: lay it upon the field first"
 MODEL_WORLD = KrtKeys(
     k=("intrinsic", "intrinsics"), r=(), t=(), position=(),
-    pose=("extrinsic", "extrinsics"), inverse_pose=("cam_c2w", "c2w"), repeated=("motion_prob",),
+    pose=("extrinsic", "extrinsics"), inverse_pose=("cam_c2w", "c2w"), repeated=("pose_enc",),
     kind="a camera of VGGT or MegaSaM", remark=_FIRST_CAMERA,
 )  # fmt: skip
 
