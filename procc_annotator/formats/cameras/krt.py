@@ -171,8 +171,8 @@ def camera_of_matrices(
         lens_key, distortion = _agreeing(
             values, "", keys.distortion, lambda key: np.array(values.numbers(key))
         )
-        if len(distortion) < 3:  # k1, or k1 and k2
-            distortion = np.pad(distortion, (0, 4 - len(distortion)))
+        if len(distortion) == 2:  # k1 and k2
+            distortion = np.pad(distortion, (0, 2))
     make = fisheye_from_parts if model == "fisheye" else pinhole_from_parts
     try:
         camera = make(inside, pose, distortion.tolist())
