@@ -346,3 +346,13 @@ TOOLS: tuple[Tool, ...] = (
         template="tennis_14",
     ),
 )  # fmt: skip
+
+
+def tool_table() -> str:
+    """The table of `TOOLS` of the documentation, in Markdown."""
+    lines = ["| `--from` | tool | file | recognised by |", "|---|---|---|---|"]
+    for tool in TOOLS:
+        marks = " or ".join(f"`{' and '.join(marks)}`" for marks in tool.marks)
+        told = marks or "keys `(x, y)`"
+        lines.append(f"| `{tool.name}` | {tool.title} | `{tool.example}` | {told} |")
+    return "\n".join(lines) + "\n"

@@ -7,8 +7,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import Any
 
+import numpy as np
+
 from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
-from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
+from procc_annotator.camera.models import FisheyeCamera, MatrixCamera, PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.field.model import Field
@@ -229,13 +231,18 @@ def with_plausibility_remark(loaded: LoadedCamera) -> LoadedCamera:
     field can know whether that was done.
     """
     camera = loaded.camera
-    if not isinstance(camera, PinholeCamera | FisheyeCamera):
+    if isinstance(camera, MatrixCamera):
+        matrix = camera.image_from_world
+        x, y, z = -np.linalg.solve(matrix[:, :3], matrix[:, 3])
+    elif isinstance(camera, PinholeCamera | FisheyeCamera):
+        x, y, z = camera.position_world
+    else:
         return loaded
-    x, y, z = camera.position_world
     doubt = ""
     if z > 0:
         doubt = f"stands {z:.3g} m below the ground: expected metres with z down"
-        if camera.rotation_cam_from_world[1, 2] < 0:  # the picture's lower edge is up there
+        turn = getattr(camera, "rotation_cam_from_world", None)
+        if turn is not None and turn[1, 2] < 0:  # the picture's lower edge is up there
             doubt += ", and its z is up: negate y and z of its world"
     elif max(abs(x), abs(y), abs(z)) > _FAR_M:
         doubt = "stands more than a kilometre from the field's centre: expected metres"

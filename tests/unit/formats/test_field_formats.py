@@ -16,6 +16,7 @@ import pytest
 from procc_annotator.camera.matrices import calibration_matrix, distortion_vector, translation
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
+from procc_annotator.formats.annotations.labelling_tools import tool_table
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.table import format_table
 from procc_annotator.formats.unread_formats import UNREAD_FORMATS, unread_table
@@ -309,8 +310,13 @@ def test_what_is_not_read_is_named_with_the_way_out(name, data, expected, tmp_pa
 
 
 def test_the_documentation_shows_the_tables():
-    page = (Path(__file__).parents[3] / "docs" / "camera-formats.md").read_text(encoding="utf-8")
-    for mark, table in (("formats", format_table()), ("unread", unread_table())):
-        found = page.split(f"<!-- {mark} -->\n")[1].split("<!-- end -->")[0]
-        assert found == table, f"write the table into docs/camera-formats.md, below {mark}"
+    docs = Path(__file__).parents[3] / "docs"
+    for mark, page, table in (
+        ("formats", "camera-formats.md", format_table()),
+        ("unread", "camera-formats.md", unread_table()),
+        ("tools", "annotation-formats.md", tool_table()),
+    ):
+        text = (docs / page).read_text(encoding="utf-8")
+        found = text.split(f"<!-- {mark} -->\n")[1].split("<!-- end -->")[0]
+        assert found == table, f"write the table into docs/{page}, below {mark}"
     assert all(known.advice for known in UNREAD_FORMATS)
