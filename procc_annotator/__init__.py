@@ -31,6 +31,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.evaluation import jac_curve as jac_curve
     from procc_annotator.api.evaluation import project_field as project_field
     from procc_annotator.api.ground_points import PlacedPoints as PlacedPoints
+    from procc_annotator.api.ground_points import homography_of as homography_of
     from procc_annotator.api.ground_points import to_ground as to_ground
     from procc_annotator.api.ground_points import to_pixels as to_pixels
     from procc_annotator.api.loading import Dataset as Dataset
@@ -68,6 +69,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.field.model import Field as Field
     from procc_annotator.formats.cameras.loaded_camera import LoadedCamera as LoadedCamera
     from procc_annotator.metrics.error_maps import Disagreement as Disagreement
+    from procc_annotator.metrics.ground_plane import NearestHomography as NearestHomography
     from procc_annotator.metrics.score import ElementScore as ElementScore
     from procc_annotator.metrics.score import FrameScore as FrameScore
     from procc_annotator.metrics.sets import ClassSummary as ClassSummary
@@ -105,6 +107,7 @@ _HOMES = {
     ),
     "api.ground_points": (
         "PlacedPoints",
+        "homography_of",
         "to_ground",
         "to_pixels",
     ),
@@ -161,6 +164,7 @@ _HOMES = {
     ),
     "formats.cameras.loaded_camera": ("LoadedCamera",),
     "metrics.error_maps": ("Disagreement",),
+    "metrics.ground_plane": ("NearestHomography",),
     "metrics.score": (
         "ElementScore",
         "FrameScore",

@@ -1,4 +1,4 @@
-"""Pixels of a table to metres on the ground, and back, by the cameras of its frames."""
+"""Pixels to metres on the ground, and back: of tables, and by the nearest homography."""
 
 from __future__ import annotations
 
@@ -33,7 +33,13 @@ from procc_annotator.formats.cameras.fit_record import FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.point_tables import PointTable, Row, read_rows
 from procc_annotator.messages import list_names
-from procc_annotator.metrics.ground_plane import field_rectangle
+from procc_annotator.metrics.ground_plane import (
+    NearestHomography,
+    field_rectangle,
+    nearest_homography,
+    region_of,
+    require_camera_model,
+)
 
 if TYPE_CHECKING:
     import pandas
@@ -152,6 +158,38 @@ def to_pixels(
             px[rows] = np.where((shown & np.isfinite(ground[rows, 0]))[:, None], found, np.nan)
         _explain(reasons, rows, camera, "behind the camera, or outside the lens model")
     return _placed(table, dict(zip("xy", px.T, strict=True)), reasons)
+
+
+def homography_of(
+    camera: AnyCamera,
+    region: str | Sequence[float] = "field",
+    *,
+    field: Field | str | None = None,
+    size: tuple[int, int] | None = None,
+    camera_size: tuple[int, int] | None = None,
+) -> NearestHomography:
+    """Find the homography nearest to a camera of any model over a region, and how far it is off.
+
+    Args:
+        camera: as `evaluate` takes it.
+        region: ``field``, or (x0, y0, x1, y1) metres; what the picture shows of it counts.
+        field: as of `to_ground`. size: (width, height) px of the picture; None for the camera's.
+        camera_size: as of `evaluate`.
+
+    Returns:
+        The homography as a ``camera`` (px of ``size``), with its largest and mean errors over the
+        region: ``max_m``, ``mean_m``, ``max_px``, ``mean_px``.
+
+    Raises:
+        UsageError: no region, or the picture shows too little of it.
+    """
+    known, own = as_field(field), as_optional_size(camera_size)
+    at = as_optional_size(size) or getattr(camera, "size", None) or own or DEFAULT_SIZE
+    used = require_camera_model(camera_at_size(camera, at, own, field=known).camera)
+    found = nearest_homography(used, region_of(region, known), at)
+    if found is None:
+        raise UsageError("the picture shows too little of the region for a homography")
+    return found
 
 
 def _table(points: Points, *, metres: bool) -> PointTable:
