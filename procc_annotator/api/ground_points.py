@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -31,6 +30,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
+from procc_annotator.formats.frame_names import frame_finder
 from procc_annotator.formats.point_tables import PointTable, Row, read_rows
 from procc_annotator.messages import list_names
 from procc_annotator.metrics.ground_plane import (
@@ -226,14 +226,10 @@ def _by_frame(
     for row, frame in enumerate(table.frames):
         rows_of.setdefault(frame, []).append(row)
     found, own = cameras_of(cameras, rows_of), as_optional_size(camera_size)
-    numbered: dict[int, list[str]] = {}
-    for name in found:
-        if digits := re.search(r"[0-9]+$", name):
-            numbered.setdefault(int(digits[0]), []).append(name)
+    find = frame_finder(found)
     for frame, rows in rows_of.items():
-        alike = [frame] if frame in found or not re.fullmatch("[0-9]+", frame) else []
-        given = [found.get(n) for n in alike or numbered.get(int(frame), [])]
-        if len(given) == 1 and (camera := given[0]) is not None:
+        name = find(frame)
+        if name is not None and (camera := found[name]) is not None:
             at = as_optional_size(size) or getattr(camera, "size", None) or own or DEFAULT_SIZE
             used = camera_at_size(camera, at, own, f"camera of {frame}", field=known).camera
             yield frame, used, _fit_of(camera), rows

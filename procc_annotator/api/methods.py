@@ -19,7 +19,6 @@ from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY
 from procc_annotator.formats.cameras.polylines import encode_whole
 from procc_annotator.formats.frame_names import FrameTable, file_of_frame
 from procc_annotator.metrics.projection import complete_projections
@@ -124,6 +123,5 @@ def save_projection(
                 found[name], setup.size, own, f"camera of {name}", field=setup.field
             )
             whole = complete_projections(used.camera, setup, name)
-            mark = {} if used.fitted_on is None else {FIT_KEY: {DIGEST: used.fitted_on}}
-            target.write(file, encode_whole(whole, setup.size, mark))
+            target.write(file, encode_whole(whole, setup.size, used.fitted_on))
     return tuple(written)

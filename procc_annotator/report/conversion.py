@@ -24,13 +24,12 @@ from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadCon
 from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.annotations.registry import ReadSet, SetReader, format_named
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
+from procc_annotator.formats.cameras.polylines import encode_whole
 from procc_annotator.formats.cameras.submissions import (
     FORMAT,
     Manifest,
     encode_manifest,
-    encode_polylines,
     names_sha256,
 )
 from procc_annotator.formats.cameras.writers import ConvertedCameras, write_cameras
@@ -42,7 +41,7 @@ from procc_annotator.metrics.ground_plane import (
     NearestHomography,
     nearest_homography,
 )
-from procc_annotator.metrics.projection import project_measured
+from procc_annotator.metrics.projection import complete_projections
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.conversion_output import (
     ConversionRequest,
@@ -362,9 +361,7 @@ def export_polylines(
                 done.problems.append(str(error))
                 continue
             done.losses.update([*loaded.notices, *([notice] if notice else [])])
-            pieces = project_measured(camera, setup.of_frame(frame))
-            archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
-            if loaded.fitted_on is not None:
-                archive.write(f"{frame}{SIDECAR_SUFFIX}", sidecar_content(loaded.fitted_on))
+            whole = complete_projections(camera, setup, frame)
+            archive.write(f"{frame}.json", encode_whole(whole, setup.size, loaded.fitted_on))
             done.written += 1
     return done
