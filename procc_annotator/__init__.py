@@ -43,6 +43,11 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.methods import save_projection as save_projection
     from procc_annotator.api.set_evaluation import SetScore as SetScore
     from procc_annotator.api.set_evaluation import evaluate_set as evaluate_set
+    from procc_annotator.api.set_reports import SetOptions as SetOptions
+    from procc_annotator.api.set_reports import compare_annotators as compare_annotators
+    from procc_annotator.api.set_reports import compare_cameras as compare_cameras
+    from procc_annotator.api.set_reports import compare_methods as compare_methods
+    from procc_annotator.api.set_reports import write_report as write_report
     from procc_annotator.calibration.label_check.finding import Finding as Finding
     from procc_annotator.calibration.result import FitResult as FitResult
     from procc_annotator.calibration.single_image.proposal import KnownPosition as KnownPosition
@@ -123,6 +128,13 @@ _HOMES = {
     "api.set_evaluation": (
         "SetScore",
         "evaluate_set",
+    ),
+    "api.set_reports": (
+        "SetOptions",
+        "compare_annotators",
+        "compare_cameras",
+        "compare_methods",
+        "write_report",
     ),
     "calibration.label_check.finding": ("Finding",),
     "calibration.result": ("FitResult",),

@@ -28,7 +28,7 @@ REFERENCE = {
     "Annotations": ("FrameAnnotation", "Polyline", "Point"),
     "Cameras": (
         "camera_from_",
-        "save_camera",
+        "save_",
         "Camera",
         "Pinhole",
         "Fisheye",
@@ -37,6 +37,8 @@ REFERENCE = {
     ),
     "Fields": ("Field", "Element"),
     "Scores": ("evaluate", "jac_curve", "SetScore", "SetSummary", "Class", "FrameScore"),
+    "Sets of methods": ("compare_", "write_report", "SetOptions"),
+    "Pixels to metres": ("to_", "PlacedPoints", "homography_of", "NearestHomography"),
     "Differences": ("disagreement", "Disagreement", "Interval", "Paired", "corrected_for"),
     "Finding cameras": ("fit_", "Fit", "propose_", "Proposal", "KnownPosition", "track", "Track"),
     "Checking labels": ("check_", "Finding"),

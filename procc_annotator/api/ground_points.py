@@ -19,7 +19,7 @@ from procc_annotator.api.inputs import (
     dataframe,
     kind_of,
 )
-from procc_annotator.api.methods import AnyMethod, cameras_of
+from procc_annotator.api.methods import Method, cameras_of
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
@@ -70,7 +70,7 @@ class PlacedPoints:
 
 def to_ground(
     points: Points,
-    cameras: AnyMethod,
+    cameras: Method,
     *,
     field: Field | str | None = None,
     size: tuple[int, int] | None = None,
@@ -124,7 +124,7 @@ def to_ground(
 
 def to_pixels(
     points: Points,
-    cameras: AnyMethod,
+    cameras: Method,
     *,
     field: Field | str | None = None,
     size: tuple[int, int] | None = None,
@@ -215,7 +215,7 @@ def _axes(name: str, known: Field) -> tuple[FloatArray, FloatArray]:
 
 def _by_frame(
     table: PointTable,
-    cameras: AnyMethod,
+    cameras: Method,
     known: Field,
     size: tuple[int, int] | None,
     camera_size: tuple[int, int] | None,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import Any
 
+from procc_annotator.arrays import BriefRepr
 from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
@@ -22,8 +23,8 @@ from procc_annotator.formats.frame_names import (
 from procc_annotator.formats.strict_json import printable
 
 
-@dataclass(frozen=True, eq=False)
-class LoadedCamera:
+@dataclass(frozen=True, eq=False, repr=False)
+class LoadedCamera(BriefRepr):
     """A camera as read.
 
     Attributes:
