@@ -20,7 +20,6 @@ from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.grouping import shots_by_name
 from procc_annotator.batch.set_run import annotations_for
-from procc_annotator.batch.temporal import OverTimeRun, require_shots
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
@@ -46,7 +45,7 @@ from procc_annotator.report.page.overlays import Painters
 from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
 from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
-from procc_annotator.report.temporal import TemporalMetrics, over_time_entries
+from procc_annotator.report.temporal import TemporalMetrics, measure_over_time, over_time_entries
 
 Annotations = Mapping[str, FrameAnnotation] | Dataset | str | Path
 
@@ -95,14 +94,8 @@ class _Opened:
         for one in self.requests:
             names = dict.fromkeys(annotations_for(one.cameras.frames, self.source))
             shots = shots_by_name(names | dict.fromkeys(one.cameras.frames))
-            run = OverTimeRun(
-                shots, self.source, one.cameras, self.setup, threshold,
-                camera_size=self.camera_size, executor=self.executor,
-            )  # fmt: skip
-            measured, by = tuple(run), "by the names of frames"
-            require_shots(measured, by)
-            described = self.setup.describe(any(shot.ground_only for shot in measured))
-            found.append(TemporalMetrics(self.name, one.method, measured, by, described, threshold))
+            by_name = shots, "by the names of frames", dict[str, Path]()
+            found.append(measure_over_time(one, by_name, threshold, self.executor))
         return found
 
 
@@ -124,13 +117,8 @@ def _opened(
             place, pictures = annotations_of(annotations.path), annotations.pictures
             name, frames = annotations.path.name, annotations.annotations
         else:
-            known, place, pictures, name = (
-                as_field(field),
-                folder / "annotations",
-                {},
-                "annotations",
-            )
-            frames = annotations
+            known, place, pictures = as_field(field), folder / "annotations", {}
+            name, frames = place.name, annotations
             _write_annotations(annotations, place)
         setup = EvaluationSetup(
             known, as_size(options.get("size", DEFAULT_SIZE)), options.get("protocol", "soccernet"),
