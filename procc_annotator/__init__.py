@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.annotation import Polyline as Polyline
     from procc_annotator.api.calibration import check_labels as check_labels
     from procc_annotator.api.calibration import fit_camera as fit_camera
+    from procc_annotator.api.calibration import leave_one_out as leave_one_out
     from procc_annotator.api.calibration import propose_camera as propose_camera
     from procc_annotator.api.calibration import track as track
     from procc_annotator.api.cameras import camera_from_function as camera_from_function
@@ -72,6 +73,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.field.load import load_field as load_field
     from procc_annotator.field.model import Element as Element
     from procc_annotator.field.model import Field as Field
+    from procc_annotator.formats.cameras.fit_record import LeftOutElement as LeftOutElement
     from procc_annotator.formats.cameras.loaded_camera import LoadedCamera as LoadedCamera
     from procc_annotator.metrics.error_maps import Disagreement as Disagreement
     from procc_annotator.metrics.ground_plane import NearestHomography as NearestHomography
@@ -93,6 +95,7 @@ _HOMES = {
     "api.calibration": (
         "check_labels",
         "fit_camera",
+        "leave_one_out",
         "propose_camera",
         "track",
     ),
@@ -174,6 +177,7 @@ _HOMES = {
         "Element",
         "Field",
     ),
+    "formats.cameras.fit_record": ("LeftOutElement",),
     "formats.cameras.loaded_camera": ("LoadedCamera",),
     "metrics.error_maps": ("Disagreement",),
     "metrics.ground_plane": ("NearestHomography",),

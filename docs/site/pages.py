@@ -40,7 +40,17 @@ REFERENCE = {
     "Sets of methods": ("compare_", "write_report", "SetOptions"),
     "Pixels to metres": ("to_", "PlacedPoints", "homography_of", "NearestHomography"),
     "Differences": ("disagreement", "Disagreement", "Interval", "Paired", "corrected_for"),
-    "Finding cameras": ("fit_", "Fit", "propose_", "Proposal", "KnownPosition", "track", "Track"),
+    "Finding cameras": (
+        "fit_",
+        "Fit",
+        "leave_one_out",
+        "LeftOut",
+        "propose_",
+        "Proposal",
+        "KnownPosition",
+        "track",
+        "Track",
+    ),
     "Checking labels": ("check_", "Finding"),
     "Drawing": ("project_", "draw_", "ElementProjections"),
 }

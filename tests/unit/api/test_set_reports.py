@@ -15,6 +15,7 @@ from procc_annotator import (
     evaluate,
     evaluate_set,
     fit_camera,
+    leave_one_out,
     load_annotations,
     load_cameras,
     load_dataset,
@@ -91,6 +92,15 @@ def test_two_methods_annotators_and_shots(given, sample_data):
     (row,) = found["over_time"]["over_time"]["rows"]
     assert row["frames"] == 12
     assert row["jumps"] == 0
+
+
+def test_what_a_fit_predicts_is_worse_than_what_it_explains(given):
+    annotations, _ = given
+    found = leave_one_out(annotations["00002"], model="P")
+    assert {one.name for one in found} <= set(annotations["00002"].annotated)
+    predicted = [one.predicted_px for one in found if one.predicted_px is not None]
+    assert np.mean(predicted) > np.mean([one.explained_px for one in found])
+    assert len(found) > 5
 
 
 def test_a_wrong_size_and_a_world_with_z_up_are_named(given):
